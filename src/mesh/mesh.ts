@@ -1,0 +1,34 @@
+/**
+ * A triangle mesh as its file describes it: positions in the file's own order, units and place. Polygons are split into
+ * triangles; vertices that a file stores several times (seams, STL corners) stay apart here, see {@link weld}.
+ */
+export interface Mesh {
+  /** #P×3, xyz interleaved, in the file's position order. */
+  readonly positions: Float64Array<ArrayBuffer>;
+  /** #F×3 indices into `positions`. */
+  readonly triangles: Uint32Array<ArrayBuffer>;
+  /** #P×3 linear RGB in [0, 1], if the file colours its vertices. */
+  readonly colors?: Float32Array<ArrayBuffer>;
+  /** True if the file carries texture coordinates. They are kept in the file; the solver does not need them. */
+  readonly hasUvs: boolean;
+}
+
+/** What the core says of a mesh once it has looked at it. Counts are those of the welded mesh, faces as given. */
+export interface MeshReport {
+  readonly vertices: number;
+  readonly faces: number;
+  /** Connected parts that have at least one face. */
+  readonly components: number;
+  readonly boundaryEdges: number;
+  /** Edges with three faces or more. */
+  readonly nonManifoldEdges: number;
+  /** Faces of (numerically) zero area, those that use one vertex twice included. */
+  readonly degenerateFaces: number;
+  /** Faces that repeat the three vertices of an earlier face. */
+  readonly duplicateFaces: number;
+  /** Vertices that no face uses. They stay where they are. */
+  readonly isolatedVertices: number;
+  /** Axis-aligned box of all positions, in the file's units. */
+  readonly min: readonly [number, number, number];
+  readonly max: readonly [number, number, number];
+}
