@@ -40,22 +40,25 @@ CornerScalars halfCotangents(const Points& positions, const Triangles& triangles
 }
 
 SparseMatrix cotangentLaplacian(const Triangles& triangles, const CornerScalars& halfCotangents, Index vertexCount) {
-  std::vector<Eigen::Triplet<double, Index>> entries;
-  entries.reserve(12 * triangles.rows());
+  // Half the matrix in triplets, the other half by symmetry: the triplets are the peak of the memory use.
+  std::vector<Eigen::Triplet<double, Index>> lower;
+  lower.reserve(3 * triangles.rows() + vertexCount);
+  Scalars diagonal = Scalars::Zero(vertexCount);
   for (Index f = 0; f < triangles.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
       const Index i = triangles(f, (k + 1) % 3);
       const Index j = triangles(f, (k + 2) % 3);
+      if (i == j) continue;
       const double c = halfCotangents(f, k);
-      entries.emplace_back(i, j, -c);
-      entries.emplace_back(j, i, -c);
-      entries.emplace_back(i, i, c);
-      entries.emplace_back(j, j, c);
+      lower.emplace_back(std::max(i, j), std::min(i, j), -c);
+      diagonal[i] += c;
+      diagonal[j] += c;
     }
   }
-  SparseMatrix laplacian(vertexCount, vertexCount);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  return laplacian;
+  for (Index v = 0; v < vertexCount; ++v) lower.emplace_back(v, v, diagonal[v]);
+  SparseMatrix half(vertexCount, vertexCount);
+  half.setFromTriplets(lower.begin(), lower.end());
+  return half.selfadjointView<Eigen::Lower>();
 }
 
 }  // namespace whittle

@@ -6,11 +6,9 @@ namespace {
 
 constexpr Index kHeld = -1;
 
-using Triplets = std::vector<Eigen::Triplet<double, Index>>;
-
 }  // namespace
 
-Status ConstrainedQuadratic::prepare(const SparseMatrix& A, const std::vector<Index>& held) {
+Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& held) {
   std::vector<Index> freeIndex(A.rows(), 0);
   for (const Index row : held) freeIndex[row] = kHeld;
   free_.clear();
@@ -23,23 +21,22 @@ Status ConstrainedQuadratic::prepare(const SparseMatrix& A, const std::vector<In
   const Index freeCount = static_cast<Index>(free_.size());
   SparseMatrix freeBlock(freeCount, freeCount);
   coupling_.resize(freeCount, A.cols());
-  Triplets inside;
-  Triplets across;
-  inside.reserve(A.nonZeros());
+  freeBlock.reserve(A.nonZeros());
   for (Index column = 0; column < A.cols(); ++column) {
+    // Free rows keep their order, so both matrices are filled front to back.
+    const Index freeColumn = freeIndex[column];
+    SparseMatrix& target = freeColumn == kHeld ? coupling_ : freeBlock;
+    const Index targetColumn = freeColumn == kHeld ? column : freeColumn;
+    if (freeColumn != kHeld) coupling_.startVec(column);
+    target.startVec(targetColumn);
     for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
       const Index row = freeIndex[entry.row()];
-      if (row == kHeld) continue;
-      const Index other = freeIndex[column];
-      if (other == kHeld) {
-        across.emplace_back(row, column, entry.value());
-      } else {
-        inside.emplace_back(row, other, entry.value());
-      }
+      if (row != kHeld) target.insertBack(row, targetColumn) = entry.value();
     }
   }
-  freeBlock.setFromTriplets(inside.begin(), inside.end());
-  coupling_.setFromTriplets(across.begin(), across.end());
+  freeBlock.finalize();
+  coupling_.finalize();
+  A = SparseMatrix();
 
   rhs_.resize(freeCount, 3);
   if (freeCount == 0) return {};

@@ -11,8 +11,8 @@ namespace whittle {
 class ConstrainedQuadratic {
  public:
   /// Factors the free block of A (#n×#n, symmetric, positive definite on the free rows). `held` may hold an index twice.
-  /// Fails with `numericalFailure`.
-  Status prepare(const SparseMatrix& A, const std::vector<Index>& held);
+  /// A is taken over and let go before the factorization, whose memory is the peak. Fails with `numericalFailure`.
+  Status prepare(SparseMatrix A, const std::vector<Index>& held);
 
   /// Fills in the free rows of X; its held rows are read. Allocates nothing.
   void solve(const Points& B, Points& X);

@@ -34,7 +34,6 @@ Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, 
 void LocalGlobal::prepareRestShape(const TriangleMesh& rest) {
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   edges_.emplace(localStep_->edgeSet(), rest);
-  laplacian_ = cotangentLaplacian(rest.triangles, edges_->halfCotangents(), rest.vertexCount());
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
 
   rotations_.assign(edges_->elementCount(), Mat3::Identity());
@@ -48,7 +47,8 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
   gauge_.emplace(components_, handles.vertices, rest_->mesh.positions, rest_->areas);
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
-  return system_.prepare(laplacian_, held);
+  const TriangleMesh& mesh = rest_->mesh;
+  return system_.prepare(cotangentLaplacian(mesh.triangles, edges_->halfCotangents(), mesh.vertexCount()), held);
 }
 
 void LocalGlobal::begin(Points& positions) {

@@ -40,7 +40,6 @@ class LocalGlobal : public Method {
   // Prepared once per rest shape
   std::optional<RestShape> rest_;
   std::optional<EdgeSet> edges_;
-  SparseMatrix laplacian_;
   Components components_;
 
   // Prepared once per set of held vertices
