@@ -56,3 +56,9 @@ export function sameParameters(a: ParameterValues, b: ParameterValues): boolean 
   const names = new Set([...Object.keys(a), ...Object.keys(b)]);
   return [...names].every((name) => a[name] === b[name]);
 }
+
+/** The same document with other values: what it shows is now only a preview of them. */
+export function withParameters(document: WhittleDocument, parameters: ParameterValues): WhittleDocument {
+  const { result } = document;
+  return { ...document, parameters, result: result && { ...result, state: 'preview' } };
+}

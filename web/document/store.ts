@@ -20,18 +20,36 @@ export interface Notice {
   readonly action?: { readonly label: string; readonly run: () => void };
 }
 
+export type Shading = 'smooth' | 'flat' | 'wire';
+export type Theme = 'auto' | 'light' | 'dark';
+
+/** How one looks at the document; never undone. */
+export interface Look {
+  readonly shading: Shading;
+  readonly theme: Theme;
+  /** The file's own shape is shown in place of the result. */
+  readonly comparing: boolean;
+}
+
 export interface State {
   readonly document: WhittleDocument | null;
   readonly history: History;
   readonly activity: Activity;
   readonly notice: Notice | null;
+  readonly look: Look;
 }
 
 export type Listener = (state: State) => void;
 
 /** The page's one state and those who look at it. */
 export class Store {
-  #state: State = { document: null, history: emptyHistory, activity: { kind: 'idle' }, notice: null };
+  #state: State = {
+    document: null,
+    history: emptyHistory,
+    activity: { kind: 'idle' },
+    notice: null,
+    look: { shading: 'smooth', theme: 'auto', comparing: false },
+  };
   readonly #listeners = new Set<Listener>();
 
   get state(): State {

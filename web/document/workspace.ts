@@ -3,7 +3,7 @@ import { toFailure } from '../../src/mesh/failure.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { Display } from './display.ts';
-import { type Result, resultOf, sameParameters, type WhittleDocument } from './document.ts';
+import { type Result, resultOf, sameParameters, type WhittleDocument, withParameters } from './document.ts';
 import { amend, record, redo, undo } from './history.ts';
 import { offeredMethods, startingParameters } from './offered-methods.ts';
 import { isWorkerLost, type Runner, type Task } from './runner.ts';
@@ -51,7 +51,7 @@ export class Workspace {
     const document = this.document;
     if (!document) return;
     this.#gestureFrom ??= document;
-    const next = { ...document, parameters };
+    const next = withParameters(document, parameters);
     this.store.set({ document: next, notice: null });
     this.#display.adopt(next);
     void this.#follow(next);
@@ -67,14 +67,14 @@ export class Workspace {
       if (before !== document) this.#goTo(before);
       return;
     }
-    const after = { ...document, parameters };
+    const after = withParameters(document, parameters);
     this.store.set({
       document: after,
       history: record(this.store.state.history, { label, before, after }),
       notice: null,
     });
     this.#display.adopt(after);
-    this.#settling = this.#carve(false);
+    void this.#carve(false);
   }
 
   chooseMethod(id: string): void {
@@ -90,7 +90,7 @@ export class Workspace {
     const history = record(this.store.state.history, { label: method.title, before: document, after });
     this.store.set({ document: after, history });
     this.#display.document(after);
-    this.#settling = this.#carve(true);
+    void this.#carve(true);
   }
 
   /** Back to what this mesh opened with. */
@@ -162,7 +162,12 @@ export class Workspace {
   }
 
   /** From the file's own shape to the end, so that the same file and settings always give the same bits. */
-  async #carve(watch: boolean): Promise<void> {
+  #carve(watch: boolean): Promise<void> {
+    this.#settling = this.#carveNow(watch);
+    return this.#settling;
+  }
+
+  async #carveNow(watch: boolean): Promise<void> {
     const document = this.document;
     if (!document) return;
     const task = this.#runner.begin();
@@ -173,7 +178,6 @@ export class Workspace {
       // A settling run that was stopped has shown nothing: what is on the screen is the preview, and that is kept.
       const now = this.document;
       if (now && stopped && !watch) this.#keepPreview(now);
-      else if (now === document) this.#take(document, resultOf(solved, stopped ? 'stopped' : 'settled'));
       else if (now) this.#take(now, resultOf(solved, stopped ? 'stopped' : 'settled'));
       this.store.set({ activity: idle });
     } catch (thrown) {
@@ -189,7 +193,7 @@ export class Workspace {
       const now = this.document;
       // A run that was overtaken by a later value or by the settling run still is the nearest there is to its shape.
       if (now?.mesh !== document.mesh || now.parameters !== document.parameters) return;
-      if (now.result?.state === 'settled' && now.result !== document.result) return;
+      if (now.result?.state === 'settled') return;
       const state = solved.outcome === 'cancelled' && task.signal.aborted ? 'stopped' : 'preview';
       this.#amend(now, { ...now, result: resultOf(solved, state) });
       if (task.current()) this.store.set({ activity: idle });
