@@ -1,5 +1,6 @@
+import { type FailureCode, WhittleError } from '../mesh/failure.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
+import type { Handles, ParameterValues } from '../methods/descriptor.ts';
 import type { Outcome } from './protocol.ts';
 
 /** What one step of a session says. */
@@ -13,25 +14,244 @@ export interface Step {
 
 /** One mesh in the core. Every call throws a {@link WhittleError} with the core's own code and element. */
 export interface CoreSession {
-  /** Validates and takes a welded mesh; forgets all that was there. */
+  /** Validates and takes a welded mesh (#V×3, #F×3); forgets all that was there. */
   load(positions: Float64Array, triangles: Uint32Array): MeshReport;
-  /** Chooses a method and its parameters (absent: default); handle vertices are welded vertices. Keeps the current positions. */
+  /** Chooses a method and its parameters (absent: default); handles name welded vertices. Keeps the current positions. */
   configure(method: string, parameters: ParameterValues): void;
   /** Goes back to the rest positions. */
   restart(): void;
-  /** Computes what the parameters made stale; costs nothing when nothing is. */
+  /** Computes what the parameters made stale and starts a run from the current positions. */
   prepare(): void;
   /** One iteration. */
   step(): Step;
-  /** #V×3, in the file's units. */
+  /** Writes the current positions, #V×3 in the file's units. */
   copyPositions(into: Float64Array): void;
   free(): void;
 }
 
+/** One parameter as the core lists it. */
+export interface CoreParameter {
+  readonly name: string;
+  readonly kind: string;
+  readonly invalidates: string;
+  readonly default?: number;
+  readonly min?: number;
+  readonly max?: number;
+}
+
 export interface Core {
   open(): CoreSession;
-  /** The core's own method list, for the contract test. */
-  methods(): unknown;
+  /** The core's own method list, which a contract test holds against the descriptors. */
+  methods(): readonly { readonly id: string; readonly parameters: readonly CoreParameter[] }[];
   /** Bytes of the wasm heap. */
   heapBytes(): number;
+}
+
+/** The module as Emscripten makes it; the C interface is documented in `wasm/bindings/whittle.h`. */
+interface WasmModule {
+  /** Views change whenever memory grows: read them anew after every call. */
+  readonly HEAPU8: Uint8Array<ArrayBuffer>;
+  _malloc(bytes: number): number;
+  _free(address: number): void;
+  _whittle_create(): number;
+  _whittle_destroy(session: number): void;
+  _whittle_load(
+    session: number,
+    positions: number,
+    vertices: number,
+    triangles: number,
+    faces: number,
+  ): number;
+  _whittle_report(session: number, numbers: number): void;
+  _whittle_select(session: number, method: number): number;
+  _whittle_set_number(session: number, parameter: number, value: number): number;
+  _whittle_set_handles(session: number, vertices: number, targets: number, count: number): number;
+  _whittle_restart(session: number): void;
+  _whittle_prepare(session: number): number;
+  _whittle_step(session: number, outcome: number): number;
+  _whittle_positions(session: number, positions: number): void;
+  _whittle_code_name(code: number): number;
+  _whittle_message(session: number): number;
+  _whittle_element(session: number): number;
+  _whittle_methods(): number;
+}
+
+type WasmFactory = (options: { wasmBinary?: Uint8Array }) => Promise<WasmModule>;
+
+const outcomes = ['running', 'converged', 'iteration-limit', 'stalled'] as const;
+
+/**
+ * Starts the core.
+ *
+ * @param wasmBinary the module's bytes, where the loader cannot fetch them itself (Node)
+ */
+export async function loadCore(wasmBinary?: Uint8Array): Promise<Core> {
+  const { default: create }: { default: WasmFactory } = await import('../../wasm/dist/whittle-core.mjs');
+  const module = await create(wasmBinary ? { wasmBinary } : {});
+  const heap = new Heap(module);
+  return {
+    open: () => new WasmSession(module, heap),
+    methods: () => JSON.parse(heap.readString(module._whittle_methods())),
+    heapBytes: () => module.HEAPU8.byteLength,
+  };
+}
+
+/** The only hands on wasm memory: claim, copy in, call, look again, copy out, release. */
+class Heap {
+  readonly #module: WasmModule;
+
+  constructor(module: WasmModule) {
+    this.#module = module;
+  }
+
+  /** Runs `use` with the addresses of copies of the given arrays and frees them afterwards. */
+  withCopies<Result>(arrays: readonly ArrayBufferView[], use: (...addresses: number[]) => Result): Result {
+    const addresses: number[] = [];
+    try {
+      for (const array of arrays) {
+        const address = this.#claim(array.byteLength);
+        addresses.push(address);
+        this.#module.HEAPU8.set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength), address);
+      }
+      return use(...addresses);
+    } finally {
+      for (const address of addresses) this.#module._free(address);
+    }
+  }
+
+  /** Lets `write` fill `into.length` numbers at an address and copies them out. */
+  readNumbers(into: Float64Array, write: (address: number) => void): void {
+    const address = this.#claim(into.byteLength);
+    try {
+      write(address);
+      into.set(new Float64Array(this.#module.HEAPU8.buffer, address, into.length));
+    } finally {
+      this.#module._free(address);
+    }
+  }
+
+  readString(address: number): string {
+    const bytes = this.#module.HEAPU8;
+    return new TextDecoder().decode(bytes.subarray(address, bytes.indexOf(0, address)));
+  }
+
+  #claim(bytes: number): number {
+    const address = this.#module._malloc(Math.max(bytes, 8));
+    if (address === 0)
+      throw new WhittleError('out-of-memory', 'There is not enough memory for this mesh; try a smaller one.');
+    return address;
+  }
+}
+
+class WasmSession implements CoreSession {
+  readonly #module: WasmModule;
+  readonly #heap: Heap;
+  readonly #handle: number;
+  readonly #stepNumbers = new Float64Array(3);
+
+  constructor(module: WasmModule, heap: Heap) {
+    this.#module = module;
+    this.#heap = heap;
+    this.#handle = module._whittle_create();
+  }
+
+  load(positions: Float64Array, triangles: Uint32Array): MeshReport {
+    const load = (positionsAt: number, trianglesAt: number) =>
+      this.#module._whittle_load(
+        this.#handle,
+        positionsAt,
+        positions.length / 3,
+        trianglesAt,
+        triangles.length / 3,
+      );
+    this.#check(this.#heap.withCopies([positions, triangles], load));
+    return this.#report();
+  }
+
+  configure(method: string, parameters: ParameterValues): void {
+    this.#check(this.#withString(method, (name) => this.#module._whittle_select(this.#handle, name)));
+    const info = this.#methods().find((candidate) => candidate.id === method)!;
+    for (const parameter of info.parameters) {
+      if (parameter.kind === 'handles') {
+        this.#setHandles(parameters[parameter.name] as Handles | undefined);
+      } else {
+        this.#setNumber(parameter.name, Number(parameters[parameter.name] ?? parameter.default));
+      }
+    }
+  }
+
+  restart(): void {
+    this.#module._whittle_restart(this.#handle);
+  }
+
+  prepare(): void {
+    this.#check(this.#module._whittle_prepare(this.#handle));
+  }
+
+  step(): Step {
+    let code = 0;
+    this.#heap.readNumbers(this.#stepNumbers, (address) => {
+      code = this.#module._whittle_step(this.#handle, address);
+    });
+    this.#check(code);
+    const [outcome, energy, change] = this.#stepNumbers as unknown as [number, number, number];
+    return { outcome: outcomes[outcome]!, energy, change };
+  }
+
+  copyPositions(into: Float64Array): void {
+    this.#heap.readNumbers(into, (address) => this.#module._whittle_positions(this.#handle, address));
+  }
+
+  free(): void {
+    this.#module._whittle_destroy(this.#handle);
+  }
+
+  #methods(): ReturnType<Core['methods']> {
+    return JSON.parse(this.#heap.readString(this.#module._whittle_methods()));
+  }
+
+  #setNumber(name: string, value: number): void {
+    this.#check(
+      this.#withString(name, (address) => this.#module._whittle_set_number(this.#handle, address, value)),
+    );
+  }
+
+  #setHandles(handles: Handles = { vertices: [], targets: [] }): void {
+    const vertices = Int32Array.from(handles.vertices);
+    const targets = Float64Array.from(handles.targets.flat());
+    const set = (verticesAt: number, targetsAt: number) =>
+      this.#module._whittle_set_handles(this.#handle, verticesAt, targetsAt, vertices.length);
+    this.#check(this.#heap.withCopies([vertices, targets], set));
+  }
+
+  #report(): MeshReport {
+    const numbers = new Float64Array(14);
+    this.#heap.readNumbers(numbers, (address) => this.#module._whittle_report(this.#handle, address));
+    const at = (index: number): number => numbers[index]!;
+    return {
+      vertices: at(0),
+      faces: at(1),
+      components: at(2),
+      boundaryEdges: at(3),
+      nonManifoldEdges: at(4),
+      degenerateFaces: at(5),
+      duplicateFaces: at(6),
+      isolatedVertices: at(7),
+      min: [at(8), at(9), at(10)],
+      max: [at(11), at(12), at(13)],
+    };
+  }
+
+  #withString<Result>(text: string, use: (address: number) => Result): Result {
+    return this.#heap.withCopies([new TextEncoder().encode(`${text}\0`)], use);
+  }
+
+  /** Turns a code of the core into the error that carries its sentence. */
+  #check(code: number): void {
+    if (code === 0) return;
+    const name = this.#heap.readString(this.#module._whittle_code_name(code)) as FailureCode;
+    const message = this.#heap.readString(this.#module._whittle_message(this.#handle));
+    const element = this.#module._whittle_element(this.#handle);
+    throw new WhittleError(name, message, element < 0 ? undefined : element);
+  }
 }

@@ -1,0 +1,5 @@
+/** The Emscripten module; typed where it is used, in `core.ts`. */
+declare module '*/whittle-core.mjs' {
+  const create: (options: { wasmBinary?: Uint8Array }) => Promise<never>;
+  export default create;
+}

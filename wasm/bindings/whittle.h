@@ -1,0 +1,55 @@
+#pragma once
+
+#include <stdint.h>
+
+// The core's C interface: one opaque handle, flat arrays, no exceptions. Calls that can fail return 0 or an error code;
+// whittle_code_name, whittle_message and whittle_element then tell what went wrong. Strings are UTF-8, NUL-terminated, and
+// live until the next call on the same session.
+
+#ifdef __EMSCRIPTEN__
+#include <emscripten/emscripten.h>
+#define WHITTLE_API EMSCRIPTEN_KEEPALIVE
+#else
+#define WHITTLE_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct WhittleSession WhittleSession;
+
+WHITTLE_API WhittleSession* whittle_create(void);
+WHITTLE_API void whittle_destroy(WhittleSession* session);
+
+/// Takes a mesh: positions #V×3 and triangles #F×3, both copied.
+WHITTLE_API int whittle_load(WhittleSession* session, const double* positions, int32_t vertex_count,
+                             const int32_t* triangles, int32_t face_count);
+/// Writes what the core says of the loaded mesh, 14 numbers: vertices, faces, components, boundary edges, non-manifold
+/// edges, degenerate faces, duplicate faces, isolated vertices, box min xyz, box max xyz.
+WHITTLE_API void whittle_report(const WhittleSession* session, double* numbers);
+
+WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
+WHITTLE_API int whittle_set_number(WhittleSession* session, const char* parameter, double value);
+/// Holds `count` vertices at targets (#count×3, file units); count 0 frees all.
+WHITTLE_API int whittle_set_handles(WhittleSession* session, const int32_t* vertices, const double* targets, int32_t count);
+
+WHITTLE_API void whittle_restart(WhittleSession* session);
+WHITTLE_API int whittle_prepare(WhittleSession* session);
+/// One iteration. Writes outcome (0 running, 1 converged, 2 iteration limit, 3 stalled), energy before the step and
+/// relative displacement.
+WHITTLE_API int whittle_step(WhittleSession* session, double* outcome_energy_change);
+/// Writes the current positions, #V×3.
+WHITTLE_API void whittle_positions(const WhittleSession* session, double* positions);
+
+WHITTLE_API const char* whittle_code_name(int code);
+WHITTLE_API const char* whittle_message(const WhittleSession* session);
+/// The element that the last failure is about, or −1.
+WHITTLE_API int32_t whittle_element(const WhittleSession* session);
+
+/// The method registry as JSON.
+WHITTLE_API const char* whittle_methods(void);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,31 @@
+# Options that every target of the core shares, and what depends on the compiler.
+
+# Eigen is headers only; it lives in the host's include path even when compiling to wasm.
+find_path(EIGEN_INCLUDE Eigen/Core PATH_SUFFIXES eigen3
+          PATHS /usr/include /usr/local/include /opt/homebrew/include NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+
+add_library(whittle_options INTERFACE)
+target_include_directories(whittle_options SYSTEM INTERFACE ${EIGEN_INCLUDE})
+target_compile_definitions(whittle_options INTERFACE EIGEN_MPL2_ONLY)
+# No contraction: a multiply-add fused on one machine and not on another would give other bits.
+target_compile_options(whittle_options INTERFACE -Wall -Wextra -fno-exceptions -ffp-contract=off)
+
+option(WHITTLE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+if(WHITTLE_SANITIZE)
+  target_compile_options(whittle_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                   -fno-omit-frame-pointer -g)
+  target_link_options(whittle_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+if(EMSCRIPTEN)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpversion OUTPUT_VARIABLE WHITTLE_EMSCRIPTEN_VERSION
+                  OUTPUT_STRIP_TRAILING_WHITESPACE)
+  target_compile_options(whittle_options INTERFACE -O3 -msimd128)
+  # Newer versions default to 64 KB, in which Eigen's temporaries do not fit.
+  if(WHITTLE_EMSCRIPTEN_VERSION VERSION_LESS 3.1.27)
+    set(WHITTLE_STACK -sTOTAL_STACK=1MB)
+  else()
+    set(WHITTLE_STACK -sSTACK_SIZE=1MB)
+  endif()
+  set(WHITTLE_WASM_LINK -O3 -sALLOW_MEMORY_GROWTH=1 -sMEMORY_GROWTH_GEOMETRIC_STEP=0.05 -sINITIAL_MEMORY=64MB -sMAXIMUM_MEMORY=4GB ${WHITTLE_STACK})
+endif()

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "base/types.h"
+
+namespace whittle {
+
+/// Connected parts of a mesh. A vertex that no face uses is a part of its own.
+struct Components {
+  std::vector<Index> ofVertex;  // #V, part of each vertex, numbered by first vertex
+  Index count = 0;
+};
+
+/// Parts by shared vertices (edges of faces connect, so a bow-tie vertex joins its two fans).
+Components connectedComponents(const Triangles& triangles, Index vertexCount);
+
+/// How many undirected edges have one face, and how many have three or more. Edges of zero length (a vertex used twice
+/// by a face) are left out.
+struct EdgeCounts {
+  Index boundary = 0;
+  Index nonManifold = 0;
+};
+
+EdgeCounts countEdges(const Triangles& triangles);
+
+/// Faces that have the same three vertices as an earlier one, in any order.
+Index countDuplicateFaces(const Triangles& triangles);
+
+}  // namespace whittle

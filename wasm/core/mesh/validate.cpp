@@ -1,0 +1,102 @@
+#include "mesh/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mesh/adjacency.h"
+
+namespace whittle {
+
+namespace {
+
+/// Above this, the factorization of a surface mesh no longer fits the 4 GB that wasm can address.
+constexpr Index kMaxVertices = 2'500'000;
+
+Status checkCounts(const TriangleMesh& mesh) {
+  if (mesh.faceCount() == 0) {
+    return Status::failure(Code::noFaces, "the mesh has no faces; a point cloud must be meshed first");
+  }
+  if (mesh.vertexCount() > kMaxVertices) {
+    return Status::failure(Code::tooLarge, "the mesh has " + std::to_string(mesh.vertexCount()) + " vertices, more than the " +
+                                               std::to_string(kMaxVertices) + " that fit in memory; decimate it first");
+  }
+  return {};
+}
+
+Status checkIndices(const TriangleMesh& mesh) {
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const Index v = mesh.triangles(f, k);
+      if (v >= 0 && v < mesh.vertexCount()) continue;
+      return Status::failure(Code::indexOutOfRange,
+                             "face " + std::to_string(f) + " uses vertex " + std::to_string(v) + ", but there are only " +
+                                 std::to_string(mesh.vertexCount()) + "; the file may have been cut off",
+                             f);
+    }
+  }
+  return {};
+}
+
+Status checkPositions(const TriangleMesh& mesh) {
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    if (mesh.positions.row(v).allFinite()) continue;
+    return Status::failure(Code::notFinite,
+                           "vertex " + std::to_string(v) + " has a coordinate that is not a number; repair or remove it", v);
+  }
+  const Vec3 extent = mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff();
+  if (!extent.allFinite() || extent.squaredNorm() > 1e300) {
+    return Status::failure(Code::notFinite, "the coordinates are too large to compute with; scale the mesh down");
+  }
+  if (extent.squaredNorm() < 1e-300) {
+    return Status::failure(Code::zeroExtent, "all vertices lie in one point, so there is no shape to work on");
+  }
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    if (thickness(mesh, f) > kDegenerateThickness) return {};
+  }
+  return Status::failure(Code::zeroExtent, "all faces have zero area, so there is no surface to work on");
+}
+
+}  // namespace
+
+Status validate(const TriangleMesh& mesh) {
+  for (const auto check : {checkCounts, checkIndices, checkPositions}) {
+    Status status = check(mesh);
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+double thickness(const TriangleMesh& mesh, Index face) {
+  const auto corner = [&](int k) -> Vec3 { return mesh.positions.row(mesh.triangles(face, k)).transpose(); };
+  const Vec3 a = corner(1) - corner(0);
+  const Vec3 b = corner(2) - corner(1);
+  const Vec3 c = corner(0) - corner(2);
+  const double longest = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
+  return longest > 0 ? a.cross(b).norm() / longest : 0;
+}
+
+MeshReport inspect(const TriangleMesh& mesh) {
+  MeshReport report;
+  report.vertices = mesh.vertexCount();
+  report.faces = mesh.faceCount();
+
+  std::vector<bool> used(mesh.vertexCount(), false);
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    for (int k = 0; k < 3; ++k) used[mesh.triangles(f, k)] = true;
+    report.degenerateFaces += thickness(mesh, f) <= kDegenerateThickness;
+  }
+  report.isolatedVertices = static_cast<Index>(std::count(used.begin(), used.end(), false));
+  report.components = connectedComponents(mesh.triangles, mesh.vertexCount()).count - report.isolatedVertices;
+
+  const EdgeCounts edges = countEdges(mesh.triangles);
+  report.boundaryEdges = edges.boundary;
+  report.nonManifoldEdges = edges.nonManifold;
+  report.duplicateFaces = countDuplicateFaces(mesh.triangles);
+  report.min = mesh.positions.colwise().minCoeff().transpose();
+  report.max = mesh.positions.colwise().maxCoeff().transpose();
+  return report;
+}
+
+}  // namespace whittle

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "methods/local_global/local_step.h"
+#include "methods/method.h"
+
+namespace whittle {
+
+/// As rigid as possible: no regularizer, each rotation is the plain Procrustes fit.
+class ArapLocalStep : public LocalStep {
+ public:
+  void prepare(const RestShape&, const Settings&) override {}
+  double fit(const std::vector<Mat3>& covariances, std::vector<Mat3>& rotations) override;
+};
+
+/// Registry line of the method `arap`: handles move, the rest follows rigidly.
+MethodInfo arapMethod();
+
+}  // namespace whittle

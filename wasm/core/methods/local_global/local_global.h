@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "constraints/gauge.h"
+#include "linear/constrained_quadratic.h"
+#include "methods/local_global/local_step.h"
+#include "methods/local_global/stopping_rule.h"
+#include "methods/method.h"
+
+namespace whittle {
+
+/// The parameters that every local/global method ends its list with, and where they start in it.
+std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own);
+
+/// Minimises Σ_k Σ_{e∈N(k)} c_e |R_k d_e − u_e|² + regularizer(R) by turns over the rotations R (local step, the policy)
+/// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge).
+class LocalGlobal : public Method {
+ public:
+  /// @param ownParameters how many parameters come before the shared ones
+  LocalGlobal(std::unique_ptr<LocalStep> localStep, std::size_t ownParameters)
+      : localStep_(std::move(localStep)), ownParameters_(ownParameters) {}
+
+  Status prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) override;
+  void begin(Points& positions) override;
+  Status step(Points& positions, StepReport& report) override;
+
+ private:
+  void prepareRestShape(const TriangleMesh& rest);
+  Status prepareSystem(const Handles& handles);
+  void globalStep(Points& positions);
+  double relativeDisplacement(const Points& positions) const;
+
+  std::unique_ptr<LocalStep> localStep_;
+  std::size_t ownParameters_;
+  StoppingRule stopping_;
+  Handles handles_;
+
+  // Prepared once per rest shape
+  std::optional<RestShape> rest_;
+  std::optional<EdgeSet> edges_;
+  Components components_;
+
+  // Prepared once per set of held vertices
+  std::optional<Gauge> gauge_;
+  ConstrainedQuadratic system_;
+
+  // Running state
+  std::vector<Mat3> rotations_;
+  std::vector<Mat3> covariances_;
+  Points rhs_;
+  Points previous_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/edge_set.h"
+#include "methods/parameters.h"
+
+namespace whittle {
+
+/// What a local step may know of the rest shape; everything in the unit frame.
+struct RestShape {
+  const TriangleMesh& mesh;
+  Scalars areas;   // #V, barycentric
+  Points normals;  // #V×3, unit or zero
+};
+
+/// The policy of a local/global method: how each element's rotation is chosen.
+class LocalStep {
+ public:
+  virtual ~LocalStep() = default;
+
+  virtual EdgeSetKind edgeSet() const { return EdgeSetKind::spokesAndRims; }
+
+  /// Takes the parameters that the policy knows; called when weights or more are stale.
+  virtual void prepare(const RestShape& rest, const Settings& settings) = 0;
+
+  /// Forgets what earlier iterations left.
+  virtual void begin() {}
+
+  /// Updates every rotation to the best for its covariance M (tr(R M) is to be large), starting from the one given.
+  /// Returns Σ_k [regularizer of R_k − tr(R_k M_k)]. Allocates nothing.
+  virtual double fit(const std::vector<Mat3>& covariances, std::vector<Mat3>& rotations) = 0;
+};
+
+}  // namespace whittle

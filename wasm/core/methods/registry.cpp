@@ -1,0 +1,57 @@
+#include "methods/registry.h"
+
+#include <cstdio>
+
+#include "methods/local_global/arap.h"
+#include "methods/local_global/cubic.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr const char* kKindNames[] = {"number", "integer", "handles"};
+constexpr const char* kStaleNames[] = {"nothing", "targets", "weights", "system", "all"};
+
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+std::string describe(const ParameterInfo& info) {
+  std::string json = "{\"name\":" + quoted(info.name) + ",\"kind\":" + quoted(kKindNames[static_cast<int>(info.kind)]) +
+                     ",\"invalidates\":" + quoted(kStaleNames[static_cast<int>(info.invalidates)]);
+  if (info.kind != ParameterKind::handles) {
+    json += ",\"default\":" + number(info.defaultValue) + ",\"min\":" + number(info.min) + ",\"max\":" + number(info.max);
+  }
+  return json + "}";
+}
+
+}  // namespace
+
+const std::vector<MethodInfo>& methodRegistry() {
+  static const std::vector<MethodInfo> methods = {cubicMethod(), arapMethod()};
+  return methods;
+}
+
+const MethodInfo* findMethod(const std::string& id) {
+  for (const MethodInfo& method : methodRegistry()) {
+    if (id == method.id) return &method;
+  }
+  return nullptr;
+}
+
+std::string describeMethods() {
+  std::string json = "[";
+  for (const MethodInfo& method : methodRegistry()) {
+    if (json.size() > 1) json += ",";
+    json += "{\"id\":" + quoted(method.id) + ",\"parameters\":[";
+    for (std::size_t p = 0; p < method.parameters.size(); ++p) json += (p ? "," : "") + describe(method.parameters[p]);
+    json += "]}";
+  }
+  return json + "]";
+}
+
+}  // namespace whittle

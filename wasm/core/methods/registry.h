@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "methods/method.h"
+
+namespace whittle {
+
+/// All methods of the core. A new method is one policy and one line here.
+const std::vector<MethodInfo>& methodRegistry();
+
+/// The line of a method, or nullptr.
+const MethodInfo* findMethod(const std::string& id);
+
+/// The registry as JSON, for TypeScript to hold against its descriptors:
+/// [{"id", "parameters": [{"name", "kind", "invalidates", "default", "min", "max"}]}], numbers only where they apply.
+std::string describeMethods();
+
+}  // namespace whittle

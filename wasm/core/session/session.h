@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mesh/unit_frame.h"
+#include "mesh/validate.h"
+#include "methods/registry.h"
+
+namespace whittle {
+
+/// One mesh, one method at a time and the positions so far: what the outside drives. Speaks the file's units; works in
+/// the unit frame. Every setter notes what it makes stale, `prepare` recomputes just that.
+class Session {
+ public:
+  /// Takes a mesh and reports on it; forgets everything else. Fails as `validate` does and then holds no mesh.
+  Status load(TriangleMesh mesh);
+  const MeshReport& report() const { return report_; }
+
+  /// Chooses a method; its parameters get their defaults unless it was chosen already. Fails with `unknownMethod`.
+  Status select(const std::string& method);
+  /// Fails with `badParameter`.
+  Status setNumber(const std::string& parameter, double value);
+  /// Targets in the file's units. Fails with `badHandles`.
+  Status setHandles(Handles handles);
+
+  /// Back to the rest positions.
+  void restart();
+  /// Recomputes what is stale and starts a run from the current positions. Fails with `numericalFailure`.
+  Status prepare();
+  /// One iteration of a prepared run. Fails with `numericalFailure`; the positions are then those before the step.
+  Status step(StepReport& report);
+
+  /// Writes the current positions (#V×3) in the file's frame. A vertex that has not moved has its very own bits.
+  void copyPositions(double* into) const;
+
+ private:
+  Status requireMethod() const;
+  void markStale(Stale level) { stale_ = std::max(stale_, level); }
+
+  Points filePositions_;  // #V×3, as loaded
+  TriangleMesh rest_;     // in the unit frame
+  UnitFrame frame_;
+  MeshReport report_;
+
+  const MethodInfo* info_ = nullptr;
+  std::unique_ptr<Method> method_;
+  Settings settings_;
+  Stale stale_ = Stale::all;
+
+  Points positions_;  // in the unit frame
+};
+
+}  // namespace whittle

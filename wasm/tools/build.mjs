@@ -1,0 +1,34 @@
+import { existsSync } from 'node:fs';
+import { probe, runQuietly } from './run.mjs';
+import { fingerprint, isFresh, markFresh } from './stamps.mjs';
+
+const sources = ['wasm/CMakeLists.txt', 'wasm/cmake', 'wasm/core', 'wasm/bindings'];
+const testSources = [...sources, 'tests/core'];
+
+/** Builds the wasm module into wasm/dist. */
+export function buildWasm() {
+  const state = fingerprint(sources, probe('em++')?.split('\n')[0]);
+  if (existsSync('wasm/dist/whittle-core.wasm') && isFresh('wasm', state)) return;
+  configureAndBuild('Building the core as wasm', 'wasm/build/wasm', [], 'emcmake');
+  markFresh('wasm', state);
+}
+
+/** Builds the native library and, for tests, the C++ tests: natively with sanitizers and as wasm for Node. */
+export function buildNative({ tests }) {
+  if (!tests) return;
+  const state = fingerprint(testSources, probe('c++')?.split('\n')[0]);
+  if (existsSync('wasm/build/native-tests') && isFresh('native-tests', state)) return;
+  const sanitized = ['-DWHITTLE_TESTS=ON', '-DWHITTLE_SANITIZE=ON', '-DCMAKE_BUILD_TYPE=RelWithDebInfo'];
+  configureAndBuild('Building the C++ tests with sanitizers', 'wasm/build/native-tests', sanitized);
+  configureAndBuild('Building the C++ tests as wasm', 'wasm/build/wasm-tests', ['-DWHITTLE_TESTS=ON'], 'emcmake');
+  markFresh('native-tests', state);
+}
+
+function configureAndBuild(announcement, folder, options, wrapper) {
+  // Debian's em++ finds its JavaScript tools only through NODE_PATH.
+  const env = existsSync('/usr/share/nodejs') ? { NODE_PATH: '/usr/share/nodejs' } : {};
+  const cmake = ['cmake', '-S', 'wasm', '-B', folder, '-G', 'Ninja', ...options];
+  const [command, ...args] = wrapper ? [wrapper, ...cmake] : cmake;
+  runQuietly(announcement, command, args, env);
+  runQuietly(`${announcement}: compiling`, 'cmake', ['--build', folder], env);
+}
