@@ -64,7 +64,7 @@ export class LoadedMesh {
     try {
       return inCore(call, () => this.#core.heapBytes());
     } catch (thrown) {
-      throw thrown instanceof WhittleError ? inFileNumbers(thrown, this.welded) : thrown;
+      throw thrown instanceof WhittleError ? asSentence(inFileNumbers(thrown, this.welded)) : thrown;
     }
   }
 }
@@ -80,4 +80,10 @@ export function inFileNumbers(error: WhittleError, { vertexOfPosition }: WeldedM
   const source = vertexOfPosition.indexOf(element);
   if (source < 0 || !words.test(message)) return error;
   return new WhittleError(code, message.replace(words, `$1 ${source}`), source);
+}
+
+/** The core's messages have neither capital nor full stop. */
+function asSentence({ code, message, element }: WhittleError): WhittleError {
+  const sentence = message.charAt(0).toUpperCase() + message.slice(1);
+  return new WhittleError(code, /[.!?]$/.test(sentence) ? sentence : `${sentence}.`, element);
 }

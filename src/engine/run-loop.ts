@@ -66,7 +66,9 @@ export async function runToEnd(
   const prepared = performance.now();
 
   const energy: number[] = [];
-  const outcome = await iterate(mesh, run, hop, energy);
+  // The core answers a limit of none with a step that is no iteration.
+  const isNone = parameters.maxIterations === 0 && !run.isStopped;
+  const outcome = isNone ? 'iteration-limit' : await iterate(mesh, run, hop, energy);
   const positions = mesh.copyPositions();
   const milliseconds = { prepare: prepared - began, solve: performance.now() - prepared };
   return { outcome, iterations: energy.length, energy, positions, milliseconds, warnings: warningsOf(mesh) };

@@ -1,4 +1,4 @@
-import type { Handles, MethodDescriptor, ParameterDescriptor, ParameterValues } from './descriptor.ts';
+import type { Handles, MethodDescriptor, ParameterDescriptor } from './descriptor.ts';
 import { didYouMean } from './suggest.ts';
 
 /** What is wrong with a value, as data; recipe, engine and command line make their own error of it. */
@@ -34,14 +34,6 @@ export function checkParameters(
     if (found) return found;
   }
   return undefined;
-}
-
-/** The same for values that turned out fine: narrows them. */
-export function areParameters(
-  method: MethodDescriptor,
-  values: Readonly<Record<string, unknown>>,
-): values is ParameterValues {
-  return checkParameters(method, values) === undefined;
 }
 
 function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterProblem | undefined {

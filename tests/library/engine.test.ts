@@ -189,6 +189,13 @@ test('after a numerical failure the mesh starts from its rest', async () => {
   expect(next.positions[3]).toBe(6);
 });
 
+test('no iterations means the rest shape', async () => {
+  start();
+  const solved = await engine.solve(tetrahedron(), settings({ maxIterations: 0 }));
+  expect(solved).toMatchObject({ outcome: 'iteration-limit', iterations: 0, energy: [] });
+  expect(core.steps).toBe(0);
+});
+
 test('a released mesh is freed, its run stopped, and it can come back', async () => {
   start();
   const mesh = tetrahedron();

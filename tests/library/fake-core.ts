@@ -60,7 +60,7 @@ class FakeSession implements CoreSession {
     const bad = positions.findIndex((coordinate) => !Number.isFinite(coordinate));
     if (bad >= 0) {
       const vertex = Math.floor(bad / 3);
-      throw new WhittleError('not-finite', `Vertex ${vertex} is not finite; repair the file.`, vertex);
+      throw new WhittleError('not-finite', `vertex ${vertex} is not finite; repair the file`, vertex);
     }
     this.#rest = positions.slice();
     this.#current = positions.slice();
