@@ -25,7 +25,7 @@ const page = new Page({ store, workspace, display, viewer });
 
 followTheme(store, viewer);
 for (const panel of document.querySelectorAll<PageElement>('[data-panel]')) panel.page = page;
-if (viewer) followLayout(viewer, element('#stage'), element('whittle-panel'), element('whittle-viewbar'));
+if (viewer) followLayout(viewer, element('#stage'), element('.sheet'), element('whittle-viewbar'));
 listenForDrops(page);
 listenForShortcuts(page, () => element('whittle-help').dispatchEvent(new Event('open')));
 void page.openSample(samples[0]!);

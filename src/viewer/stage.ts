@@ -59,14 +59,17 @@ export class Stage {
   readonly #key = new DirectionalLight();
   readonly #fill = new DirectionalLight('#dfe9ff');
   readonly #rim = new DirectionalLight('#fff1e0');
-  readonly #floor = new Mesh(new PlaneGeometry(14, 14), new ShadowMaterial({ depthWrite: false }));
+  readonly #floor = new Mesh(
+    new PlaneGeometry(14, 14),
+    new ShadowMaterial({ depthWrite: false, color: 0x2a1408 }),
+  );
   readonly #contact = new Mesh(
     new PlaneGeometry(1, 1),
-    new MeshBasicMaterial({ transparent: true, depthWrite: false, toneMapped: false, color: 0x000000 }),
+    new MeshBasicMaterial({ transparent: true, depthWrite: false, toneMapped: false, color: 0x2a1408 }),
   );
 
   constructor(scene: Scene) {
-    this.#key.position.set(-1.6, 3.1, 2.2);
+    this.#key.position.set(-1.3, 3.6, 1.9);
     this.#fill.position.set(3, 0.8, 1.6);
     this.#rim.position.set(0.8, 1.6, -3);
     this.#setUpShadow();
@@ -90,11 +93,15 @@ export class Stage {
     this.#contact.material.opacity = theme.shadow * 1.1;
   }
 
-  /** Puts the floor under an object. @param footprint its width and depth */
-  placeFloor(height: number, footprint: readonly [number, number]): void {
+  /** How far the shade under the object reaches. @param footprint the object's width and depth */
+  setFootprint(footprint: readonly [number, number]): void {
+    this.#contact.scale.set(footprint[0] * 1.5, footprint[1] * 1.5, 1);
+  }
+
+  /** Puts the floor at a height. */
+  placeFloor(height: number): void {
     this.#floor.position.y = height - 0.004;
     this.#contact.position.y = height - 0.002;
-    this.#contact.scale.set(footprint[0] * 1.5, footprint[1] * 1.5, 1);
   }
 
   dispose(): void {
@@ -110,9 +117,9 @@ export class Stage {
     this.#key.castShadow = true;
     const { shadow } = this.#key;
     shadow.mapSize.set(1024, 1024);
-    shadow.radius = 5;
-    shadow.bias = -0.0006;
-    shadow.normalBias = 0.02;
+    shadow.radius = 9;
+    shadow.bias = -0.0008;
+    shadow.normalBias = 0.045;
     const { camera } = shadow;
     camera.left = camera.bottom = -1.7;
     camera.right = camera.top = 1.7;

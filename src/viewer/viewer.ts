@@ -98,7 +98,7 @@ export class Viewer {
     this.#turned.rotation.x = this.#zUp ? -Math.PI / 2 : 0;
     this.#paint();
     this.setShading(this.#shading);
-    this.#placeFloor(mesh);
+    this.#measure(mesh);
     this.#rig.fit(1, false);
     this.#changed();
   }
@@ -200,19 +200,18 @@ export class Viewer {
     this.#ink.opacity = this.#theme.wireOpacity;
   }
 
-  #placeFloor(mesh: Mesh): void {
-    const surface = this.#surface!;
-    const { center, scale } = surface.frame;
+  #measure(mesh: Mesh): void {
+    const { center, scale } = this.#surface!.frame;
     const extent = [0, 0, 0];
     for (let i = 0; i < mesh.positions.length; i++) {
       const axis = i % 3;
       extent[axis] = Math.max(extent[axis]!, 2 * Math.abs(mesh.positions[i]! - center[axis]!) * scale);
     }
-    const depth = this.#zUp ? extent[1]! : extent[2]!;
-    this.#stage.placeFloor(surface.lowest(this.#zUp ? 2 : 1), [extent[0]!, depth]);
+    this.#stage.setFootprint([extent[0]!, this.#zUp ? extent[1]! : extent[2]!]);
   }
 
   #changed(): void {
+    if (this.#surface) this.#stage.placeFloor(this.#surface.lowest(this.#zUp ? 2 : 1));
     this.#renderer.shadowMap.needsUpdate = true;
     this.#loop.invalidate();
   }
