@@ -18,9 +18,19 @@ export function buildNative({ tests }) {
   if (!tests) return;
   const state = fingerprint(testSources, probe('c++')?.split('\n')[0]);
   if (existsSync('wasm/build/native-tests') && isFresh('native-tests', state)) return;
-  const sanitized = ['-DWHITTLE_TESTS=ON', '-DWHITTLE_SANITIZE=ON', '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1'];
+  const sanitized = [
+    '-DWHITTLE_TESTS=ON',
+    '-DWHITTLE_SANITIZE=ON',
+    '-DCMAKE_BUILD_TYPE=Debug',
+    '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1',
+  ];
   configureAndBuild('Building the C++ tests with sanitizers', 'wasm/build/native-tests', sanitized);
-  configureAndBuild('Building the C++ tests as wasm', 'wasm/build/wasm-tests', ['-DWHITTLE_TESTS=ON'], 'emcmake');
+  configureAndBuild(
+    'Building the C++ tests as wasm',
+    'wasm/build/wasm-tests',
+    ['-DWHITTLE_TESTS=ON'],
+    'emcmake',
+  );
   markFresh('native-tests', state);
 }
 

@@ -17,7 +17,8 @@ const needsOf = {
 };
 
 const purpose = process.argv[2] ?? 'start';
-if (!(purpose in needsOf)) fail(`setup: unknown purpose “${purpose}”; it is one of ${Object.keys(needsOf).join(', ')}.`);
+if (!(purpose in needsOf))
+  fail(`setup: unknown purpose “${purpose}”; it is one of ${Object.keys(needsOf).join(', ')}.`);
 
 chdir(fileURLToPath(new URL('../..', import.meta.url)));
 requireNode();
@@ -31,7 +32,9 @@ buildSamples();
 function requireNode() {
   const [major, minor] = process.versions.node.split('.').map(Number);
   if (major > 20 || (major === 20 && minor >= 19)) return;
-  fail(`Whittle needs Node 20.19 or newer; this is ${process.versions.node}. Install a newer one from your package manager.`);
+  fail(
+    `Whittle needs Node 20.19 or newer; this is ${process.versions.node}. Install a newer one from your package manager.`,
+  );
 }
 
 function installPackages() {
@@ -45,7 +48,11 @@ function installPackages() {
 function buildCommandLine() {
   const link = 'node_modules/.bin/whittle';
   const state = fingerprint(['src', 'tsconfig.json', 'package-lock.json']);
-  if (!existsSync('src/cli/tsconfig.json') || (existsSync('dist/cli/main.js') && existsSync(link) && isFresh('cli', state))) return;
+  if (
+    !existsSync('src/cli/tsconfig.json') ||
+    (existsSync('dist/cli/main.js') && existsSync(link) && isFresh('cli', state))
+  )
+    return;
   runQuietly('Compiling the command line', 'node_modules/.bin/tsc', ['-p', 'src/cli']);
   spawnSync('chmod', ['+x', 'dist/cli/main.js']);
   if (!existsSync(link)) symlinkSync('../../dist/cli/main.js', link);
