@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, symlinkSync } from 'node:fs';
 import { chdir } from 'node:process';
 import { fileURLToPath } from 'node:url';
-import { buildNative, buildWasm } from './build.mjs';
+import { buildBenchmark, buildTests, buildWasm } from './build.mjs';
 import { fail, runQuietly } from './run.mjs';
 import { fingerprint, isFresh, markFresh } from './stamps.mjs';
 import { requireTools } from './system-tools.mjs';
@@ -25,7 +25,8 @@ requireNode();
 installPackages();
 requireTools(needsOf[purpose]);
 buildWasm();
-if (needsOf[purpose].includes('native')) buildNative({ tests: purpose === 'test' });
+if (purpose === 'test') buildTests();
+if (purpose === 'bench') buildBenchmark();
 buildCommandLine();
 buildSamples();
 
