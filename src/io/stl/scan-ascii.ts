@@ -65,24 +65,15 @@ class StlTextScan {
     const scanner = this.#scanner;
     const start = scanner.at;
     const word = scanner.word().toLowerCase();
-    switch (word) {
-      case 'vertex':
-        return this.#vertex();
-      case 'facet':
-        return this.#facet(start);
-      case 'endfacet':
-        return this.#endFacet(start);
-      case 'outer':
-      case 'loop':
-      case 'endloop':
-        return;
-      case 'solid':
-      case 'endsolid':
-        this.#insideSolid = word === 'solid';
-        return scanner.nextLine();
-      default:
-        scanner.at = start;
-        throw this.#malformed(start, `there is ${quote(scanner.word())} where STL has a facet or a vertex`);
+    if (word === 'vertex') this.#vertex();
+    else if (word === 'facet') this.#facet(start);
+    else if (word === 'endfacet') this.#endFacet(start);
+    else if (word === 'solid' || word === 'endsolid') {
+      this.#insideSolid = word === 'solid';
+      scanner.nextLine();
+    } else if (word !== 'outer' && word !== 'loop' && word !== 'endloop') {
+      scanner.at = start;
+      throw this.#malformed(start, `there is ${quote(scanner.word())} where STL has a facet or a vertex`);
     }
   }
 
