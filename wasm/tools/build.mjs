@@ -13,15 +13,31 @@ export function buildWasm() {
   markFresh('wasm', state);
 }
 
-/** Builds the native library and, for tests, the C++ tests: natively with sanitizers and as wasm for Node. */
-export function buildNative({ tests }) {
-  if (!tests) return;
+/** Builds the C++ tests: natively with sanitizers and Eigen's own checks, and as wasm for Node. */
+export function buildTests() {
   const state = fingerprint(testSources, probe('c++')?.split('\n')[0]);
   if (existsSync('wasm/build/native-tests') && isFresh('native-tests', state)) return;
-  const sanitized = ['-DWHITTLE_TESTS=ON', '-DWHITTLE_SANITIZE=ON', '-DCMAKE_BUILD_TYPE=RelWithDebInfo'];
-  configureAndBuild('Building the C++ tests with sanitizers', 'wasm/build/native-tests', sanitized);
-  configureAndBuild('Building the C++ tests as wasm', 'wasm/build/wasm-tests', ['-DWHITTLE_TESTS=ON'], 'emcmake');
+  const checked = ['-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1', '-DWHITTLE_SANITIZE=ON'];
+  configureAndBuild('Building the C++ tests with sanitizers', 'wasm/build/native-tests', [
+    '-DWHITTLE_TESTS=ON',
+    ...checked,
+  ]);
+  configureAndBuild(
+    'Building the C++ tests as wasm',
+    'wasm/build/wasm-tests',
+    ['-DWHITTLE_TESTS=ON'],
+    'emcmake',
+  );
   markFresh('native-tests', state);
+}
+
+/** Builds the native benchmark for this very processor. */
+export function buildBenchmark() {
+  const state = fingerprint([...sources, 'wasm/bench'], probe('c++')?.split('\n')[0]);
+  if (existsSync('wasm/build/native-bench') && isFresh('native-bench', state)) return;
+  const options = ['-DWHITTLE_BENCH=ON', '-DCMAKE_CXX_FLAGS=-O3 -march=native'];
+  configureAndBuild('Building the native benchmark', 'wasm/build/native-bench', options);
+  markFresh('native-bench', state);
 }
 
 function configureAndBuild(announcement, folder, options, wrapper) {

@@ -9,7 +9,11 @@ export function fail(sentence) {
 /** Runs a command silently behind one line of announcement; shows its output only if it fails. */
 export function runQuietly(announcement, command, args, env = {}) {
   console.error(`${announcement} …`);
-  const done = spawnSync(command, args, { encoding: 'utf8', env: { ...process.env, ...env }, maxBuffer: 1 << 28 });
+  const done = spawnSync(command, args, {
+    encoding: 'utf8',
+    env: { ...process.env, ...env },
+    maxBuffer: 1 << 28,
+  });
   if (done.status === 0) return;
   console.error(done.stdout ?? '');
   console.error(done.stderr ?? done.error?.message ?? '');

@@ -4,7 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, symlinkSync } from 'node:fs';
 import { chdir } from 'node:process';
 import { fileURLToPath } from 'node:url';
-import { buildNative, buildWasm } from './build.mjs';
+import { buildBenchmark, buildTests, buildWasm } from './build.mjs';
 import { fail, runQuietly } from './run.mjs';
 import { fingerprint, isFresh, markFresh } from './stamps.mjs';
 import { requireTools } from './system-tools.mjs';
@@ -17,21 +17,25 @@ const needsOf = {
 };
 
 const purpose = process.argv[2] ?? 'start';
-if (!(purpose in needsOf)) fail(`setup: unknown purpose “${purpose}”; it is one of ${Object.keys(needsOf).join(', ')}.`);
+if (!(purpose in needsOf))
+  fail(`setup: unknown purpose “${purpose}”; it is one of ${Object.keys(needsOf).join(', ')}.`);
 
 chdir(fileURLToPath(new URL('../..', import.meta.url)));
 requireNode();
 installPackages();
 requireTools(needsOf[purpose]);
 buildWasm();
-if (needsOf[purpose].includes('native')) buildNative({ tests: purpose === 'test' });
+if (purpose === 'test') buildTests();
+if (purpose === 'bench') buildBenchmark();
 buildCommandLine();
 buildSamples();
 
 function requireNode() {
   const [major, minor] = process.versions.node.split('.').map(Number);
   if (major > 20 || (major === 20 && minor >= 19)) return;
-  fail(`Whittle needs Node 20.19 or newer; this is ${process.versions.node}. Install a newer one from your package manager.`);
+  fail(
+    `Whittle needs Node 20.19 or newer; this is ${process.versions.node}. Install a newer one from your package manager.`,
+  );
 }
 
 function installPackages() {
@@ -45,7 +49,11 @@ function installPackages() {
 function buildCommandLine() {
   const link = 'node_modules/.bin/whittle';
   const state = fingerprint(['src', 'tsconfig.json', 'package-lock.json']);
-  if (!existsSync('src/cli/tsconfig.json') || (existsSync('dist/cli/main.js') && existsSync(link) && isFresh('cli', state))) return;
+  if (
+    !existsSync('src/cli/tsconfig.json') ||
+    (existsSync('dist/cli/main.js') && existsSync(link) && isFresh('cli', state))
+  )
+    return;
   runQuietly('Compiling the command line', 'node_modules/.bin/tsc', ['-p', 'src/cli']);
   spawnSync('chmod', ['+x', 'dist/cli/main.js']);
   if (!existsSync(link)) symlinkSync('../../dist/cli/main.js', link);

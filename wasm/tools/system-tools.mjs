@@ -2,16 +2,32 @@ import { existsSync } from 'node:fs';
 import { fail, probe, runQuietly } from './run.mjs';
 
 const eigenFolders = ['/usr/include/eigen3', '/usr/local/include/eigen3', '/opt/homebrew/include/eigen3'];
-const doctestFolders = ['/usr/include/doctest', '/usr/local/include/doctest', '/opt/homebrew/include/doctest'];
+const doctestFolders = [
+  '/usr/include/doctest',
+  '/usr/local/include/doctest',
+  '/opt/homebrew/include/doctest',
+];
 
 /** What the system has to bring, for which purposes, how to see that it is there, and what packages hold it. */
 const tools = [
   { name: 'em++', for: 'wasm', found: () => probe('em++'), apt: 'emscripten', brew: 'emscripten' },
-  { name: 'Eigen', for: 'wasm', found: () => eigenFolders.some(existsSync), apt: 'libeigen3-dev', brew: 'eigen' },
+  {
+    name: 'Eigen',
+    for: 'wasm',
+    found: () => eigenFolders.some(existsSync),
+    apt: 'libeigen3-dev',
+    brew: 'eigen',
+  },
   { name: 'CMake', for: 'wasm', found: () => probe('cmake'), apt: 'cmake', brew: 'cmake' },
   { name: 'Ninja', for: 'wasm', found: () => probe('ninja'), apt: 'ninja-build', brew: 'ninja' },
   { name: 'a C++20 compiler', for: 'native', found: () => probe('c++'), apt: 'g++', brew: 'llvm' },
-  { name: 'doctest', for: 'native', found: () => doctestFolders.some(existsSync), apt: 'doctest-dev', brew: 'doctest' },
+  {
+    name: 'doctest',
+    for: 'native',
+    found: () => doctestFolders.some(existsSync),
+    apt: 'doctest-dev',
+    brew: 'doctest',
+  },
   { name: 'Chromium', for: 'browser', found: findChromium, apt: 'chromium', brew: '--cask chromium' },
 ];
 
@@ -41,10 +57,13 @@ export function requireTools(purposes) {
     const args = [...install.slice(1), 'install', '-y', '-q', '--no-install-recommends', ...apt];
     runQuietly(`Installing ${names}`, install[0], args, { DEBIAN_FRONTEND: 'noninteractive' });
   } else if (probe('brew')) {
-    for (const tool of missing) runQuietly(`Installing ${tool.name}`, 'brew', ['install', ...tool.brew.split(' ')]);
+    for (const tool of missing)
+      runQuietly(`Installing ${tool.name}`, 'brew', ['install', ...tool.brew.split(' ')]);
   }
   const still = missing.filter((tool) => !tool.found());
   if (still.length === 0) return;
   const packages = still.map((tool) => tool.apt).join(' ');
-  fail(`Please install ${still.map((tool) => tool.name).join(', ')} and run this again; on Debian or Ubuntu: sudo apt-get install ${packages}`);
+  fail(
+    `Please install ${still.map((tool) => tool.name).join(', ')} and run this again; on Debian or Ubuntu: sudo apt-get install ${packages}`,
+  );
 }

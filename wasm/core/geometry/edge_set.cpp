@@ -16,13 +16,12 @@ double edgeEnergy(const Eigen::RowVector3d& toSecond, const Eigen::RowVector3d& 
 
 EdgeSet::EdgeSet(EdgeSetKind kind, const TriangleMesh& rest)
     : kind_(kind),
-      vertexCount_(rest.vertexCount()),
-      triangles_(rest.triangles),
+      rest_(rest),
       halfCotangents_(whittle::halfCotangents(rest.positions, rest.triangles)),
       secondGradient_(rest.faceCount(), 3),
       thirdGradient_(rest.faceCount(), 3) {
   for (Index f = 0; f < rest.faceCount(); ++f) {
-    const auto corner = [&](int k) { return rest.positions.row(triangles_(f, k)); };
+    const auto corner = [&](int k) { return rest.positions.row(rest_.triangles(f, k)); };
     const auto c = halfCotangents_.row(f);
     // Edges run 1→2, 2→0, 0→1 opposite to corners 0, 1, 2; a corner gains the edge that ends in it.
     const Eigen::RowVector3d edge0 = c[0] * (corner(2) - corner(1));
@@ -37,17 +36,17 @@ EdgeSet::EdgeSet(EdgeSetKind kind, const TriangleMesh& rest)
 double EdgeSet::gatherCovariances(const Points& output, std::vector<Mat3>& covariances) const {
   for (Mat3& M : covariances) M.setZero();
   double outputEnergy = 0;
-  for (Index f = 0; f < faceCount(); ++f) {
-    const auto first = output.row(triangles_(f, 0));
-    const Eigen::RowVector3d toSecond = output.row(triangles_(f, 1)) - first;
-    const Eigen::RowVector3d toThird = output.row(triangles_(f, 2)) - first;
+  for (Index f = 0; f < rest_.faceCount(); ++f) {
+    const auto first = output.row(rest_.triangles(f, 0));
+    const Eigen::RowVector3d toSecond = output.row(rest_.triangles(f, 1)) - first;
+    const Eigen::RowVector3d toThird = output.row(rest_.triangles(f, 2)) - first;
     outputEnergy += edgeEnergy(toSecond, toThird, halfCotangents_.row(f));
 
     const Mat3 S = 2 * (secondGradient_.row(f).transpose() * toSecond + thirdGradient_.row(f).transpose() * toThird);
     if (kind_ == EdgeSetKind::faces) {
       covariances[f] = S;
     } else {
-      for (int k = 0; k < 3; ++k) covariances[triangles_(f, k)] += S;
+      for (int k = 0; k < 3; ++k) covariances[rest_.triangles(f, k)] += S;
     }
   }
   return restEnergy_ + visits(kind_) * outputEnergy;
@@ -55,19 +54,19 @@ double EdgeSet::gatherCovariances(const Points& output, std::vector<Mat3>& covar
 
 Mat3 EdgeSet::meanRotation(const std::vector<Mat3>& rotations, Index face) const {
   if (kind_ == EdgeSetKind::faces) return rotations[face];
-  const auto corners = triangles_.row(face);
+  const auto corners = rest_.triangles.row(face);
   return (rotations[corners[0]] + rotations[corners[1]] + rotations[corners[2]]) / 3;
 }
 
 void EdgeSet::scatterRightHandSide(const std::vector<Mat3>& rotations, Points& b) const {
   b.setZero();
-  for (Index f = 0; f < faceCount(); ++f) {
+  for (Index f = 0; f < rest_.faceCount(); ++f) {
     const Mat3 R = meanRotation(rotations, f);
     const Vec3 second = R * secondGradient_.row(f).transpose();
     const Vec3 third = R * thirdGradient_.row(f).transpose();
-    b.row(triangles_(f, 1)) += second.transpose();
-    b.row(triangles_(f, 2)) += third.transpose();
-    b.row(triangles_(f, 0)) -= (second + third).transpose();
+    b.row(rest_.triangles(f, 1)) += second.transpose();
+    b.row(rest_.triangles(f, 2)) += third.transpose();
+    b.row(rest_.triangles(f, 0)) -= (second + third).transpose();
   }
 }
 

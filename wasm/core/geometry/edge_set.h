@@ -18,11 +18,12 @@ enum class EdgeSetKind {
 /// the global step is a Poisson solve with the face's mean rotation.
 class EdgeSet {
  public:
+  /// `rest` is referred to, not copied: it must outlive the edge set.
   EdgeSet(EdgeSetKind kind, const TriangleMesh& rest);
 
   EdgeSetKind kind() const { return kind_; }
   /// Rotations: one per vertex or one per face.
-  Index elementCount() const { return kind_ == EdgeSetKind::faces ? faceCount() : vertexCount_; }
+  Index elementCount() const { return kind_ == EdgeSetKind::faces ? rest_.faceCount() : rest_.vertexCount(); }
   const CornerScalars& halfCotangents() const { return halfCotangents_; }
 
   /// M_k = 2 Σ_{e∈N(k)} c_e d_e u_eᵀ for every element (the local step maximises tr(R_k M_k)). `covariances` has
@@ -33,12 +34,10 @@ class EdgeSet {
   void scatterRightHandSide(const std::vector<Mat3>& rotations, Points& b) const;
 
  private:
-  Index faceCount() const { return static_cast<Index>(triangles_.rows()); }
   Mat3 meanRotation(const std::vector<Mat3>& rotations, Index face) const;
 
   EdgeSetKind kind_;
-  Index vertexCount_;
-  Triangles triangles_;            // #F×3
+  const TriangleMesh& rest_;
   CornerScalars halfCotangents_;   // #F×3, c_fe
   Points secondGradient_;          // #F×3, g of corner 1
   Points thirdGradient_;           // #F×3, g of corner 2; corner 0 has what makes the sum zero

@@ -21,7 +21,7 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   const Index freeCount = static_cast<Index>(free_.size());
   SparseMatrix freeBlock(freeCount, freeCount);
   coupling_.resize(freeCount, A.cols());
-  freeBlock.reserve(A.nonZeros());
+  freeBlock.reserve((A.nonZeros() + A.rows()) / 2);
   for (Index column = 0; column < A.cols(); ++column) {
     // Free rows keep their order, so both matrices are filled front to back.
     const Index freeColumn = freeIndex[column];
@@ -31,7 +31,8 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
     target.startVec(targetColumn);
     for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
       const Index row = freeIndex[entry.row()];
-      if (row != kHeld) target.insertBack(row, targetColumn) = entry.value();
+      const bool needed = row != kHeld && (freeColumn == kHeld || row >= freeColumn);  // of the free block, the lower half
+      if (needed) target.insertBack(row, targetColumn) = entry.value();
     }
   }
   freeBlock.finalize();

@@ -11,7 +11,8 @@ namespace whittle {
 /// repeats only what changed: `analyze` for a new pattern, `factorize` for new values, `solve` for a new right-hand side.
 class SparseCholesky {
  public:
-  /// Orders the unknowns (approximate minimum degree) and finds the pattern of L. Reads only the pattern of A.
+  /// Orders the unknowns (approximate minimum degree) and finds the pattern of L. Reads only the pattern, and as
+  /// everywhere here only the lower triangle, of A.
   void analyze(const SparseMatrix& A);
 
   /// Computes L for a matrix of the analyzed pattern. Fails with `numericalFailure` if A is not positive definite.

@@ -28,7 +28,7 @@ Vec3 shrink(const Vec3& x, double threshold) {
 void CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
   const double cubeness = settings.numbers[0];  // λ, Eq. 1
   weights_ = cubeness * rest.areas;
-  normals_ = rest.normals;
+  normals_ = &rest.normals;
   admm_.resize(weights_.size());
   begin();
 }
@@ -41,7 +41,7 @@ double CubicLocalStep::fit(const std::vector<Mat3>& covariances, std::vector<Mat
   double energy = 0;
   for (std::size_t i = 0; i < rotations.size(); ++i) {
     const Mat3& M = covariances[i];
-    const Vec3 n = normals_.row(i).transpose();
+    const Vec3 n = normals_->row(i).transpose();
     Mat3& R = rotations[i];
     if (weights_[i] > 0 && !n.isZero(0)) {
       solveVertex(M, n, weights_[i], admm_[i], R);

@@ -24,8 +24,8 @@ class CubicLocalStep : public LocalStep {
 
   void solveVertex(const Mat3& M, const Vec3& n, double weight, Admm& state, Mat3& R) const;
 
-  Scalars weights_;  // #V, λ a_i
-  Points normals_;   // #V×3
+  Scalars weights_;                  // #V, λ a_i
+  const Points* normals_ = nullptr;  // #V×3, of the rest shape
   std::vector<Admm> admm_;
 };
 

@@ -21,7 +21,7 @@ class LocalStep {
 
   virtual EdgeSetKind edgeSet() const { return EdgeSetKind::spokesAndRims; }
 
-  /// Takes the parameters that the policy knows; called when weights or more are stale.
+  /// Takes the parameters that the policy knows; called when weights or more are stale. `rest` outlives the policy’s use.
   virtual void prepare(const RestShape& rest, const Settings& settings) = 0;
 
   /// Forgets what earlier iterations left.

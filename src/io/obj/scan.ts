@@ -1,0 +1,215 @@
+import { isTokenEnd } from '../bytes.ts';
+import { linearColors } from '../color.ts';
+import { FaceCollector } from '../faces.ts';
+import { FloatList, IndexList } from '../lists.ts';
+import { none, type ParsedFile } from '../parsed-file.ts';
+import { quote, refusal } from '../refuse.ts';
+import { TextScanner } from '../text-scanner.ts';
+
+/** An OBJ file and where its numbers stand. */
+export interface ObjFile extends ParsedFile {
+  /** #P byte offsets just behind each `v`. */
+  readonly positionOffsets: Uint32Array;
+  /** #N×3 */
+  readonly normals: Float64Array;
+  /** #N byte offsets just behind each `vn`. */
+  readonly normalOffsets: Uint32Array;
+  /** #C index of the normal of each corner, or {@link none}; empty if no corner has one. */
+  readonly normalOfCorner: Uint32Array;
+}
+
+const lf = 10;
+const slash = 47;
+const letterF = 102;
+const letterN = 110;
+const letterT = 116;
+const letterV = 118;
+
+/**
+ * Reads Wavefront OBJ: `v` (with colours or a weight behind), `vn`, `f` with every kind of reference. All other
+ * statements are left to the file.
+ *
+ * @throws no-faces, index-out-of-range, malformed-file, truncated-file, not-finite
+ */
+export function scanObj(bytes: Uint8Array, name: string): ObjFile {
+  return new ObjScan(bytes, name).run();
+}
+
+class ObjScan {
+  readonly #scanner: TextScanner;
+  readonly #positions = new FloatList();
+  readonly #positionOffsets = new IndexList();
+  readonly #colors = new FloatList();
+  readonly #normals = new FloatList();
+  readonly #normalOffsets = new IndexList();
+  readonly #faces = new FaceCollector();
+  readonly #normalOfCorner = new IndexList();
+  readonly #extra = new Float64Array(5);
+  #uvs = 0;
+
+  constructor(bytes: Uint8Array, name: string) {
+    this.#scanner = new TextScanner(bytes, name);
+  }
+
+  run(): ObjFile {
+    const scanner = this.#scanner;
+    const { bytes } = scanner;
+    for (; !scanner.done; scanner.nextLine()) {
+      const first = scanner.peekInLine();
+      if (first !== letterV && first !== letterF) continue;
+      const second = bytes[++scanner.at];
+      if (first === letterF) {
+        if (isBlank(second)) this.#face();
+      } else if (isBlank(second)) {
+        this.#vertex();
+      } else if (isBlank(bytes[scanner.at + 1])) {
+        scanner.at++;
+        if (second === letterN) this.#normal();
+        else if (second === letterT) this.#uvs++;
+      }
+    }
+    return this.#finish();
+  }
+
+  #vertex(): void {
+    const scanner = this.#scanner;
+    this.#positionOffsets.push(scanner.at);
+    const x = scanner.numberInLine('the x of the vertex');
+    const y = scanner.numberInLine('the y of the vertex');
+    this.#positions.push3(x, y, scanner.numberInLine('the z of the vertex'));
+    if (scanner.peekInLine() !== lf) this.#colorBehind();
+  }
+
+  /** Three numbers behind the position, or four (a colour with alpha), are a colour; one alone is a weight. */
+  #colorBehind(): void {
+    const scanner = this.#scanner;
+    const extra = this.#extra;
+    let count = 0;
+    for (; count < 5 && scanner.peekInLine() !== lf; count++) {
+      const value = scanner.decimal();
+      if (Number.isNaN(value)) break;
+      extra[count] = value;
+    }
+    if (count !== 3 && count !== 4) return;
+    const here = this.#positions.length - 3;
+    while (this.#colors.length < here) this.#colors.push(Number.NaN);
+    this.#colors.push3(extra[0], extra[1], extra[2]);
+  }
+
+  #normal(): void {
+    const scanner = this.#scanner;
+    this.#normalOffsets.push(scanner.at);
+    for (let axis = 0; axis < 3; axis++) {
+      // Normals are only ever rewritten, so a NaN in one is no reason to refuse the file.
+      const isNumber = scanner.peekInLine() !== lf;
+      const value = isNumber ? scanner.decimal() : Number.NaN;
+      if (isNumber && Number.isNaN(value)) scanner.skipWord();
+      this.#normals.push(value);
+    }
+  }
+
+  #face(): void {
+    const scanner = this.#scanner;
+    const { bytes } = scanner;
+    const begin = scanner.at;
+    while (scanner.peekInLine() !== lf) {
+      this.#faces.corner(this.#reference(this.#positionOffsets.length));
+      let normal: number = none;
+      if (bytes[scanner.at] === slash) {
+        scanner.at++;
+        scanner.integer();
+        if (bytes[scanner.at] === slash) {
+          scanner.at++;
+          const given = scanner.integer();
+          if (given > 0) normal = given - 1;
+          else if (given < 0 && this.#normalOffsets.length + given >= 0) {
+            normal = this.#normalOffsets.length + given;
+          }
+        }
+      }
+      if (normal !== none) {
+        this.#normalOfCorner.padTo(this.#faces.cornerCount - 1, none);
+        this.#normalOfCorner.push(normal);
+      }
+      if (!isTokenEnd(bytes, scanner.at)) throw this.#badReference();
+    }
+    this.#endFace(begin);
+  }
+
+  #endFace(begin: number): void {
+    const scanner = this.#scanner;
+    if (this.#faces.end(begin)) return;
+    if (scanner.done) {
+      const sentence = 'the file ends in the middle of a face; it was cut off. Export it again.';
+      throw refusal('truncated-file', scanner.name, scanner.placeAt(begin), sentence);
+    }
+    if (this.#normalOfCorner.length > this.#faces.cornerCount) {
+      this.#normalOfCorner.length = this.#faces.cornerCount;
+    }
+  }
+
+  /** Index from 0 of the vertex that a face names; what lies beyond the last one so far may still come. */
+  #reference(count: number): number {
+    const scanner = this.#scanner;
+    const start = scanner.at;
+    const given = scanner.integer();
+    if (given > 0) return given - 1;
+    if (given < 0 && count + given >= 0) return count + given;
+    scanner.at = start;
+    if (Number.isNaN(given)) throw this.#badReference();
+    const sentence =
+      given === 0
+        ? 'the face uses vertex 0, but OBJ counts vertices from 1; export it again.'
+        : `the face uses vertex ${given}, but only ${count} stand before it; export it again.`;
+    throw refusal(
+      'index-out-of-range',
+      scanner.name,
+      scanner.placeAt(start),
+      sentence,
+      this.#faces.faceCount,
+    );
+  }
+
+  #badReference(): Error {
+    const scanner = this.#scanner;
+    const place = scanner.placeAt(scanner.at);
+    const sentence = `the face names ${quote(scanner.word())}, which is no vertex; export it again.`;
+    return refusal('malformed-file', scanner.name, place, sentence, this.#faces.faceCount);
+  }
+
+  #finish(): ObjFile {
+    const scanner = this.#scanner;
+    const describe = (offset: number) => scanner.placeAt(offset);
+    const positions = this.#positions.take();
+    const faces = this.#faces.finish(scanner.name, positions.length / 3, describe, 1);
+    const hasNormals = this.#normalOfCorner.length > 0;
+    if (hasNormals) this.#normalOfCorner.padTo(faces.corners.length, none);
+    const normalOfCorner = this.#normalOfCorner.take();
+    const normalCount = this.#normalOffsets.length;
+    for (let c = 0; c < normalOfCorner.length; c++) {
+      if (normalOfCorner[c] >= normalCount) normalOfCorner[c] = none;
+    }
+    return {
+      positions,
+      faces,
+      ...this.#finishColors(positions.length),
+      hasUvs: this.#uvs > 0,
+      warnings: this.#faces.warnings(describe),
+      positionOffsets: this.#positionOffsets.take(),
+      normals: this.#normals.take(),
+      normalOffsets: this.#normalOffsets.take(),
+      normalOfCorner,
+    };
+  }
+
+  #finishColors(length: number): { colors?: Float32Array<ArrayBuffer> } {
+    if (this.#colors.length === 0) return {};
+    while (this.#colors.length < length) this.#colors.push(Number.NaN);
+    return { colors: linearColors(this.#colors.take()) };
+  }
+}
+
+/** A blank, or the continuation of the line. */
+function isBlank(c: number): boolean {
+  return c === 32 || c === 9 || c === 92;
+}

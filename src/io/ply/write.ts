@@ -1,0 +1,63 @@
+import { ByteWriter } from '../byte-writer.ts';
+import { encodeUtf8, viewOf } from '../bytes.ts';
+import { byteFromLinear } from '../color.ts';
+import type { Shape } from '../parsed-file.ts';
+
+/** A new binary PLY (little endian): double positions, so that nothing is lost, colours as bytes, polygons. */
+export function writePlyBinary(shape: Shape): Uint8Array<ArrayBuffer> {
+  const { positions, colors, faces } = shape;
+  const header = encodeUtf8(plyHeader(shape, 'binary_little_endian'));
+  const vertexCount = positions.length / 3;
+  const faceCount = faces.start.length - 1;
+  const rowSize = colors ? 27 : 24;
+  const bodySize = rowSize * vertexCount + 4 * faceCount + 4 * faces.corners.length;
+  const bytes = new Uint8Array(header.length + bodySize);
+  bytes.set(header);
+  const view = viewOf(bytes);
+  let at = header.length;
+  for (let v = 0; v < vertexCount; v++, at += rowSize) {
+    for (let axis = 0; axis < 3; axis++) {
+      view.setFloat64(at + 8 * axis, positions[3 * v + axis], true);
+      if (colors) bytes[at + 24 + axis] = byteFromLinear(colors[3 * v + axis]);
+    }
+  }
+  for (let f = 0; f < faceCount; f++) {
+    view.setUint32(at, faces.start[f + 1] - faces.start[f], true);
+    at += 4;
+    for (let c = faces.start[f]; c < faces.start[f + 1]; c++, at += 4)
+      view.setInt32(at, faces.corners[c], true);
+  }
+  return bytes;
+}
+
+/** A new PLY in text. */
+export function writePlyText(shape: Shape): Uint8Array<ArrayBuffer> {
+  const { positions, colors, faces } = shape;
+  const writer = new ByteWriter(12 * positions.length);
+  writer.ascii(plyHeader(shape, 'ascii'));
+  for (let i = 0; i < positions.length; i += 3) {
+    writer.ascii(`${positions[i]} ${positions[i + 1]} ${positions[i + 2]}`);
+    if (colors) for (let k = i; k < i + 3; k++) writer.ascii(` ${byteFromLinear(colors[k])}`);
+    writer.ascii('\n');
+  }
+  for (let f = 0; f + 1 < faces.start.length; f++) {
+    writer.ascii(String(faces.start[f + 1] - faces.start[f]));
+    for (let c = faces.start[f]; c < faces.start[f + 1]; c++) writer.ascii(` ${faces.corners[c]}`);
+    writer.ascii('\n');
+  }
+  return writer.take();
+}
+
+function plyHeader({ positions, colors, faces }: Shape, format: string): string {
+  const lines = ['ply', `format ${format} 1.0`, 'comment written by Whittle'];
+  lines.push(`element vertex ${positions.length / 3}`);
+  lines.push('property double x', 'property double y', 'property double z');
+  if (colors) lines.push('property uchar red', 'property uchar green', 'property uchar blue');
+  lines.push(
+    `element face ${faces.start.length - 1}`,
+    'property list uint int vertex_indices',
+    'end_header',
+    '',
+  );
+  return lines.join('\n');
+}

@@ -1,0 +1,101 @@
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "mesh/adjacency.h"
+#include "mesh/unit_frame.h"
+#include "mesh/validate.h"
+#include "support/shapes.h"
+
+using namespace whittle;
+using namespace whittle::testing;
+
+TEST_CASE("a good mesh passes the door and is reported") {
+  const TriangleMesh mesh = together(sphere(2), grid(4), {5, 0, 0});
+  REQUIRE(validate(mesh).ok());
+  const MeshReport report = inspect(mesh);
+  CHECK(report.vertices == 66 + 16);
+  CHECK(report.faces == 128 + 18);
+  CHECK(report.components == 2);
+  CHECK(report.boundaryEdges == 12);
+  CHECK(report.nonManifoldEdges == 0);
+  CHECK(report.degenerateFaces == 0);
+  CHECK(report.max.x() == doctest::Approx(6));
+}
+
+TEST_CASE("the door refuses and names the element") {
+  TriangleMesh mesh = grid(3);
+  const auto refused = [](const TriangleMesh& bad, Code code, Index element) {
+    const Status status = validate(bad);
+    CHECK(status.code == code);
+    CHECK(status.element == element);
+    CHECK(status.message.size() > 20);
+  };
+  refused({mesh.positions, Triangles(0, 3)}, Code::noFaces, -1);
+
+  TriangleMesh outOfRange = mesh;
+  outOfRange.triangles(2, 1) = 9;
+  refused(outOfRange, Code::indexOutOfRange, 2);
+  outOfRange.triangles(2, 1) = -1;
+  refused(outOfRange, Code::indexOutOfRange, 2);
+
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    TriangleMesh notFinite = mesh;
+    notFinite.positions(4, 2) = bad;
+    refused(notFinite, Code::notFinite, 4);
+  }
+  TriangleMesh huge = mesh;
+  huge.positions *= 1e200;
+  refused(huge, Code::notFinite, -1);
+
+  TriangleMesh point = mesh;
+  point.positions.setConstant(7);
+  refused(point, Code::zeroExtent, -1);
+  TriangleMesh line = mesh;
+  line.positions.rightCols<2>().setZero();
+  refused(line, Code::zeroExtent, -1);
+
+  refused({Points::Zero(2'500'001, 3), mesh.triangles}, Code::tooLarge, -1);
+}
+
+TEST_CASE("what is odd but workable is counted") {
+  TriangleMesh mesh = grid(3);
+  mesh.positions.conservativeResize(11, 3);  // two vertices without a face
+  mesh.positions.bottomRows<2>().setOnes();
+  const Index count = mesh.faceCount();
+  mesh.triangles.conservativeResize(count + 3, 3);
+  mesh.triangles.row(count) = mesh.triangles.row(0).reverse();  // a duplicate, turned over
+  mesh.triangles.row(count + 1) << 4, 4, 5;                     // one vertex twice
+  mesh.triangles.row(count + 2) << 3, 4, 5;                     // three in a line
+  REQUIRE(validate(mesh).ok());
+  const MeshReport report = inspect(mesh);
+  CHECK(report.isolatedVertices == 2);
+  CHECK(report.duplicateFaces == 1);
+  CHECK(report.degenerateFaces == 2);
+  CHECK(report.nonManifoldEdges > 0);
+  CHECK(report.components == 1);
+}
+
+TEST_CASE("parts are numbered by their first vertex") {
+  Triangles triangles(2, 3);
+  triangles << 5, 1, 3, 4, 2, 0;
+  const Components parts = connectedComponents(triangles, 7);
+  CHECK(parts.count == 3);
+  CHECK(parts.ofVertex == std::vector<Index>{0, 1, 0, 1, 0, 1, 2});
+}
+
+TEST_CASE("the unit frame is a similarity and undoes itself") {
+  TriangleMesh mesh = bent(sphere(2));
+  mesh.positions = (mesh.positions * 250).rowwise() + Eigen::RowVector3d(1e4, -2e4, 3e3);
+  const UnitFrame frame = UnitFrame::of(mesh.positions);
+  Vec3 mean = Vec3::Zero();
+  Eigen::AlignedBox3d box;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.positions.row(v).transpose();
+    mean += frame.toUnit(p) / mesh.vertexCount();
+    box.extend(frame.toUnit(p));
+    CHECK((frame.toFile(frame.toUnit(p)) - p).norm() < 1e-10);
+  }
+  CHECK(mean.norm() < 1e-12);
+  CHECK(box.sizes().maxCoeff() == doctest::Approx(1));
+}

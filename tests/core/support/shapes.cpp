@@ -1,0 +1,114 @@
+#include "support/shapes.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace whittle::testing {
+
+namespace {
+
+TriangleMesh assemble(const std::vector<Vec3>& points, const std::vector<std::array<Index, 3>>& faces) {
+  TriangleMesh mesh{Points(points.size(), 3), Triangles(faces.size(), 3)};
+  for (std::size_t v = 0; v < points.size(); ++v) mesh.positions.row(v) = points[v].transpose();
+  for (std::size_t f = 0; f < faces.size(); ++f) mesh.triangles.row(f) << faces[f][0], faces[f][1], faces[f][2];
+  return mesh;
+}
+
+/// Two triangles for each cell of a grid of `columns` vertices per row.
+std::vector<std::array<Index, 3>> gridFaces(Index rows, Index columns) {
+  std::vector<std::array<Index, 3>> faces;
+  for (Index r = 0; r + 1 < rows; ++r) {
+    for (Index c = 0; c + 1 < columns; ++c) {
+      const Index corner = r * columns + c;
+      faces.push_back({corner, corner + 1, corner + columns + 1});
+      faces.push_back({corner, corner + columns + 1, corner + columns});
+    }
+  }
+  return faces;
+}
+
+}  // namespace
+
+TriangleMesh sphere(int levels) {
+  std::vector<Vec3> points = {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY(), Vec3::UnitZ(), -Vec3::UnitZ()};
+  std::vector<std::array<Index, 3>> faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                             {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<Index, Index>, Index> middles;
+    const auto middle = [&](Index a, Index b) {
+      const auto [entry, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<Index>(points.size()));
+      if (isNew) points.push_back((points[a] + points[b]).normalized());
+      return entry->second;
+    };
+    std::vector<std::array<Index, 3>> finer;
+    for (const auto& [a, b, c] : faces) {
+      const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      for (const auto& face : {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}}) finer.push_back(face);
+    }
+    faces = finer;
+  }
+  return assemble(points, faces);
+}
+
+TriangleMesh grid(int n) {
+  std::vector<Vec3> points;
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) points.emplace_back(c / (n - 1.0), r / (n - 1.0), 0);
+  }
+  return assemble(points, gridFaces(n, n));
+}
+
+TriangleMesh moebiusStrip(int n) {
+  constexpr int kAcross = 4;
+  std::vector<Vec3> points;
+  for (int r = 0; r < n; ++r) {
+    const double turn = 2 * EIGEN_PI * r / n;
+    for (int c = 0; c < kAcross; ++c) {
+      const double s = c / (kAcross - 1.0) - 0.5;
+      const double radius = 1 + s * std::cos(turn / 2);
+      points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), s * std::sin(turn / 2));
+    }
+  }
+  auto faces = gridFaces(n, kAcross);
+  for (int c = 0; c + 1 < kAcross; ++c) {  // closed with a half twist: the first row comes back mirrored
+    const Index a = (n - 1) * kAcross + c;
+    const Index b = kAcross - 1 - c;
+    faces.push_back({a, a + 1, b - 1});
+    faces.push_back({a, b - 1, b});
+  }
+  return assemble(points, faces);
+}
+
+TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, const Vec3& offset) {
+  TriangleMesh mesh{Points(first.vertexCount() + second.vertexCount(), 3),
+                    Triangles(first.faceCount() + second.faceCount(), 3)};
+  mesh.positions << first.positions, second.positions.rowwise() + offset.transpose();
+  mesh.triangles << first.triangles, (second.triangles.array() + first.vertexCount()).matrix();
+  return mesh;
+}
+
+TriangleMesh bent(TriangleMesh mesh) {
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.positions.row(v).transpose();
+    mesh.positions.row(v) << p.x() + 0.2 * std::sin(2 * p.y()), p.y() * (1.3 + 0.3 * p.z()), p.z() + 0.1 * p.x() * p.x();
+  }
+  return mesh;
+}
+
+Mat3 someRotation() { return Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix(); }
+
+Mat3 Noise::matrix() {
+  Mat3 M;
+  for (int i = 0; i < 9; ++i) M(i / 3, i % 3) = (*this)();
+  return M;
+}
+
+Mat3 Noise::rotation() {
+  Eigen::Quaterniond q((*this)(), (*this)(), (*this)(), (*this)());
+  return q.normalized().toRotationMatrix();
+}
+
+}  // namespace whittle::testing

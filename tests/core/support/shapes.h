@@ -1,0 +1,38 @@
+#pragma once
+
+#include <random>
+
+#include "mesh/triangle_mesh.h"
+
+namespace whittle::testing {
+
+/// A unit sphere from an octahedron, every edge cut in two `levels` times (6, 18, 66, 258, 1026, 4098 vertices).
+TriangleMesh sphere(int levels);
+
+/// A flat square in the plane z = 0 with `n`×`n` vertices and a boundary; side 1.
+TriangleMesh grid(int n);
+
+/// A Möbius strip: one side, one boundary.
+TriangleMesh moebiusStrip(int n);
+
+/// One mesh of two, the second moved by `offset`.
+TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, const Vec3& offset);
+
+/// A smooth bend of a mesh, so that nothing is special about it.
+TriangleMesh bent(TriangleMesh mesh);
+
+/// A rotation that is nobody's special case.
+Mat3 someRotation();
+
+/// Uniform in [−1, 1], the same numbers in every run and on every machine.
+class Noise {
+ public:
+  double operator()() { return static_cast<double>(engine_()) / 2147483648.0 - 1.0; }
+  Mat3 matrix();
+  Mat3 rotation();
+
+ private:
+  std::mt19937 engine_{20191123u};
+};
+
+}  // namespace whittle::testing
