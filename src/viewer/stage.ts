@@ -24,6 +24,7 @@ export interface StageTheme {
   readonly fill: number;
   readonly rim: number;
   readonly shadow: number;
+  readonly shadowColor: string;
 }
 
 export const lightTheme: StageTheme = Object.freeze({
@@ -37,6 +38,7 @@ export const lightTheme: StageTheme = Object.freeze({
   fill: 0.5,
   rim: 0.9,
   shadow: 0.2,
+  shadowColor: '#2a1408',
 });
 
 export const darkTheme: StageTheme = Object.freeze({
@@ -50,6 +52,7 @@ export const darkTheme: StageTheme = Object.freeze({
   fill: 0.35,
   rim: 1.7,
   shadow: 0.5,
+  shadowColor: '#000000',
 });
 
 /** A small photo studio: soft sky, a key light that casts a shadow, a cool fill, a rim from behind, a floor for the shadow. */
@@ -59,13 +62,10 @@ export class Stage {
   readonly #key = new DirectionalLight();
   readonly #fill = new DirectionalLight('#dfe9ff');
   readonly #rim = new DirectionalLight('#fff1e0');
-  readonly #floor = new Mesh(
-    new PlaneGeometry(14, 14),
-    new ShadowMaterial({ depthWrite: false, color: 0x2a1408 }),
-  );
+  readonly #floor = new Mesh(new PlaneGeometry(14, 14), new ShadowMaterial({ depthWrite: false }));
   readonly #contact = new Mesh(
     new PlaneGeometry(1, 1),
-    new MeshBasicMaterial({ transparent: true, depthWrite: false, toneMapped: false, color: 0x2a1408 }),
+    new MeshBasicMaterial({ transparent: true, depthWrite: false, toneMapped: false }),
   );
 
   constructor(scene: Scene) {
@@ -89,7 +89,9 @@ export class Stage {
     this.#key.intensity = theme.key;
     this.#fill.intensity = theme.fill;
     this.#rim.intensity = theme.rim;
+    this.#floor.material.color.set(theme.shadowColor);
     this.#floor.material.opacity = theme.shadow;
+    this.#contact.material.color.set(theme.shadowColor);
     this.#contact.material.opacity = theme.shadow * 1.1;
   }
 
@@ -117,9 +119,9 @@ export class Stage {
     this.#key.castShadow = true;
     const { shadow } = this.#key;
     shadow.mapSize.set(1024, 1024);
-    shadow.radius = 9;
-    shadow.bias = -0.0008;
-    shadow.normalBias = 0.045;
+    shadow.radius = 4.5;
+    shadow.bias = -0.0004;
+    shadow.normalBias = 0.01;
     const { camera } = shadow;
     camera.left = camera.bottom = -1.7;
     camera.right = camera.top = 1.7;

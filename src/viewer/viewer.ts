@@ -1,5 +1,7 @@
 import {
+  BackSide,
   type Camera,
+  DoubleSide,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -48,7 +50,12 @@ export class Viewer {
   readonly #stage = new Stage(this.#scene);
   readonly #rig: CameraRig;
   readonly #loop = new RenderLoop((now) => this.#draw(now));
-  readonly #clay = new MeshPhysicalMaterial({ roughness: 0.62, sheen: 0.35, sheenRoughness: 0.6, side: 2 });
+  readonly #clay = new MeshPhysicalMaterial({
+    roughness: 0.62,
+    sheen: 0.35,
+    sheenRoughness: 0.6,
+    side: DoubleSide,
+  });
   readonly #facets = this.#clay.clone();
   readonly #ink = new LineBasicMaterial({ transparent: true, depthWrite: false });
   readonly #maxPixelRatio: number;
@@ -73,6 +80,8 @@ export class Viewer {
     this.#rig = new CameraRig(canvas, this.#loop.invalidate);
     this.#scene.add(this.#turned);
     for (const material of [this.#clay, this.#facets]) {
+      // What casts is the side away from the light, which is dark anyway: no speckle where it grazes.
+      material.shadowSide = BackSide;
       material.polygonOffset = true;
       material.polygonOffsetFactor = material.polygonOffsetUnits = 1;
     }

@@ -3,21 +3,22 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { normalsOf, subdivide } from './loop-subdivision.mjs';
 import { openVase, pebbleKnot } from './own-shapes.mjs';
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), '../../public/samples');
-const version = '1';
+const version = '2';
 
 const borrowed = [
-  { from: 'bunny', file: 'rabbit.glb', title: 'Rabbit' },
-  { from: 'suzi', file: 'suzanne.glb', title: 'Suzanne' },
+  { from: 'bunny', file: 'rabbit.glb', finer: true },
+  { from: 'suzi', file: 'suzanne.glb', finer: false },
 ];
 
 const attribution = `# Sample meshes
 
 | file | made by | licence |
 |---|---|---|
-| rabbit.glb | pmndrs assets (npm @pmndrs/assets, models/bunny.glb), decoded from Draco | CC0 1.0 |
+| rabbit.glb | pmndrs assets (npm @pmndrs/assets, models/bunny.glb), decoded from Draco, subdivided once | CC0 1.0 |
 | suzanne.glb | pmndrs assets (npm @pmndrs/assets, models/suzi.glb), decoded from Draco | CC0 1.0 |
 | vase.obj, knot.ply | Whittle's own generators (web/build/own-shapes.mjs) | CC0 1.0 |
 `;
@@ -27,21 +28,25 @@ export async function makeSamples({ force = false } = {}) {
   const stamp = join(folder, '.version');
   if (!force && existsSync(stamp) && readFileSync(stamp, 'utf8') === version) return;
   mkdirSync(folder, { recursive: true });
-  for (const { from, file } of borrowed) writeFileSync(join(folder, file), await decodedGlb(from));
+  for (const { from, file, finer } of borrowed)
+    writeFileSync(join(folder, file), await decodedGlb(from, finer));
   writeFileSync(join(folder, 'vase.obj'), openVase());
   writeFileSync(join(folder, 'knot.ply'), pebbleKnot());
   writeFileSync(join(folder, 'ATTRIBUTION.md'), attribution);
   writeFileSync(stamp, version);
 }
 
-async function decodedGlb(name) {
+async function decodedGlb(name, finer) {
   const { default: dataUri } = await import(`@pmndrs/assets/models/${name}.glb.js`);
   const { json, binary } = splitGlb(Buffer.from(dataUri.slice(dataUri.indexOf(',') + 1), 'base64'));
   const [primitive] = json.meshes[0].primitives;
   const packed = primitive.extensions.KHR_draco_mesh_compression;
   const view = json.bufferViews[packed.bufferView];
   const bytes = binary.subarray(view.byteOffset ?? 0, (view.byteOffset ?? 0) + view.byteLength);
-  return plainGlb(name, await decodeDraco(bytes, packed.attributes));
+  const mesh = await decodeDraco(bytes, packed.attributes);
+  if (!finer) return plainGlb(name, mesh);
+  const fine = subdivide(mesh);
+  return plainGlb(name, { ...fine, normals: normalsOf(fine) });
 }
 
 function splitGlb(glb) {

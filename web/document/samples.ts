@@ -6,7 +6,7 @@ export interface Sample {
 
 /** Meshes that come with the page; made by web/build/samples.mjs. The first is the one the page opens with. */
 export const samples: readonly Sample[] = [
-  { file: 'rabbit.glb', title: 'Rabbit', about: 'glTF, 2.8 k vertices' },
+  { file: 'rabbit.glb', title: 'Rabbit', about: 'glTF, one part' },
   { file: 'suzanne.glb', title: 'Suzanne', about: 'glTF, three parts' },
   { file: 'vase.obj', title: 'Vase', about: 'OBJ of quads, open at the top' },
   { file: 'knot.ply', title: 'Knot', about: 'PLY with vertex colours' },

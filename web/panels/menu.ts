@@ -68,7 +68,22 @@ export class WhittleMenu extends LitElement {
     };
     document.addEventListener('pointerdown', outside, { signal: this.#off.signal, capture: true });
     document.addEventListener('focusin', outside, { signal: this.#off.signal });
-    void this.updateComplete.then(() => this.#walk(0));
+    void this.updateComplete.then(() => {
+      this.#place();
+      this.#walk(0);
+    });
+  }
+
+  /** Under the button, or above it where there is more room; free of what its surroundings cut off. */
+  #place(): void {
+    const menu = this.querySelector<HTMLElement>('.menu')!;
+    if (matchMedia('(max-width: 760px)').matches) return;
+    const button = this.getBoundingClientRect();
+    const left = Math.min(button.left, innerWidth - menu.offsetWidth - 18);
+    const below = button.bottom + 8 + menu.offsetHeight <= innerHeight - 12;
+    const top = below ? button.bottom + 8 : Math.max(12, button.top - 8 - menu.offsetHeight);
+    menu.style.left = `${Math.max(12, left)}px`;
+    menu.style.top = `${top}px`;
   }
 
   readonly #buttonKey = (event: KeyboardEvent): void => {

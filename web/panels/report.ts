@@ -17,7 +17,7 @@ export function meshReport({ report, mesh, source }: WhittleDocument): TemplateR
   const remarks = remarksOn(report, mesh.hasUvs);
   return html`
     <details class="report">
-      <summary><span>About this mesh</span><small>${count.format(report.vertices)} vertices · ${count.format(report.faces)} faces</small></summary>
+      <summary><span>About this mesh</span><small>${count.format(report.faces)} faces</small></summary>
       <dl>${rows.map(([name, value]) => html`<div data-row=${name}><dt>${name}</dt><dd>${typeof value === 'number' ? count.format(value) : value}</dd></div>`)}</dl>
       ${remarks.length > 0 ? html`<ul>${remarks.map((remark) => html`<li>${remark}</li>`)}</ul>` : nothing}
     </details>

@@ -17,8 +17,9 @@ export function fromTravel({ slider, min: lowest, max: highest }: NumberParamete
   const { min, max, step } = slider!;
   const t = stand / travel;
   const exact = min + (max - min) * (min === 0 ? t * t : t);
-  // Finer than the step near nothing, where one step of travel is less than that.
-  const grain = min === 0 && exact < 10 * step ? step / 10 : step;
+  // Near nothing one stand of the slider is less than a step: as fine as the stand is wide, then.
+  const width = min === 0 ? (2 * max * Math.max(t, 0.5 / travel)) / travel : step;
+  const grain = Math.min(step, 10 ** Math.floor(Math.log10(width)));
   const value = Math.round(exact / grain) * grain;
   return Number(Math.min(highest, Math.max(lowest, value)).toPrecision(6));
 }
