@@ -44,7 +44,11 @@ function openViewer(): Viewer | null {
         }),
     });
   } catch (thrown) {
-    store.set({ notice: { tone: 'error', text: (thrown as Error).message } });
+    const sentence = document.createElement('p');
+    sentence.className = 'no-canvas';
+    sentence.role = 'alert';
+    sentence.textContent = (thrown as Error).message;
+    element('#stage').append(sentence);
     return null;
   }
 }

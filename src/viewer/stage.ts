@@ -62,7 +62,7 @@ export class Stage {
   readonly #key = new DirectionalLight();
   readonly #fill = new DirectionalLight('#dfe9ff');
   readonly #rim = new DirectionalLight('#fff1e0');
-  readonly #floor = new Mesh(new PlaneGeometry(14, 14), new ShadowMaterial({ depthWrite: false }));
+  readonly #floor = new Mesh(new PlaneGeometry(5, 5), new ShadowMaterial({ depthWrite: false }));
   readonly #contact = new Mesh(
     new PlaneGeometry(1, 1),
     new MeshBasicMaterial({ transparent: true, depthWrite: false, toneMapped: false }),

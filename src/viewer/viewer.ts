@@ -6,7 +6,7 @@ import {
   LineBasicMaterial,
   LineSegments,
   Mesh as MeshObject,
-  MeshPhysicalMaterial,
+  MeshStandardMaterial,
   PCFShadowMap,
   Scene,
   WebGLRenderer,
@@ -14,6 +14,7 @@ import {
 import type { Mesh } from '../mesh/mesh.ts';
 import { CameraRig, type Insets } from './camera-rig.ts';
 import { Morph } from './morph.ts';
+import { Pace } from './pace.ts';
 import { RenderLoop } from './render-loop.ts';
 import { lightTheme, Stage, type StageTheme } from './stage.ts';
 import { Surface } from './surface.ts';
@@ -50,7 +51,7 @@ export class Viewer {
   readonly #stage = new Stage(this.#scene);
   readonly #rig: CameraRig;
   readonly #loop = new RenderLoop((now) => this.#draw(now));
-  readonly #clay = new MeshPhysicalMaterial({
+  readonly #clay = new MeshStandardMaterial({
     roughness: 0.62,
     sheen: 0.35,
     sheenRoughness: 0.6,
@@ -60,6 +61,10 @@ export class Viewer {
   readonly #ink = new LineBasicMaterial({ transparent: true, depthWrite: false });
   readonly #maxPixelRatio: number;
   readonly #off = new AbortController();
+  readonly #pace = new Pace();
+  #size = { width: 1, height: 1, pixelRatio: 1 };
+  #share = 1;
+  #resting: ReturnType<typeof setTimeout> | undefined;
   #body: MeshObject | null = null;
   #lines: LineSegments | null = null;
   #surface: Surface | null = null;
@@ -154,8 +159,8 @@ export class Viewer {
   }
 
   resize(width: number, height: number, pixelRatio: number): void {
-    this.#renderer.setPixelRatio(Math.min(pixelRatio, this.#maxPixelRatio));
-    this.#renderer.setSize(width, height, false);
+    this.#size = { width, height, pixelRatio: Math.min(pixelRatio, this.#maxPixelRatio) };
+    this.#sharpen(this.#share);
     this.#rig.resize(width, height);
     this.#loop.invalidate();
   }
@@ -172,6 +177,7 @@ export class Viewer {
 
   /** What the canvas shows, on a colour of your choice (default: see-through). */
   snapshot(background?: string): Promise<Blob> {
+    this.#sharpen(1);
     this.#render();
     const copy = document.createElement('canvas');
     copy.width = this.canvas.width;
@@ -189,6 +195,7 @@ export class Viewer {
 
   dispose(): void {
     this.#loop.pause();
+    clearTimeout(this.#resting);
     this.#off.abort();
     this.clear();
     this.#rig.dispose();
@@ -203,7 +210,6 @@ export class Viewer {
       if (material.vertexColors !== painted) material.needsUpdate = true;
       material.vertexColors = painted;
       material.color.set(painted ? '#ffffff' : this.#theme.clay);
-      material.sheenColor.set(this.#theme.sky);
     }
     this.#ink.color.set(this.#theme.wire);
     this.#ink.opacity = this.#theme.wireOpacity;
@@ -225,7 +231,27 @@ export class Viewer {
     this.#loop.invalidate();
   }
 
+  #sharpen(share: number): void {
+    this.#share = share;
+    const { width, height, pixelRatio } = this.#size;
+    this.#renderer.setPixelRatio(pixelRatio * share);
+    this.#renderer.setSize(width, height, false);
+  }
+
+  /** Fewer pixels for a movement on a slow machine, and all of them a moment after it. */
+  #keepPace(now: number): void {
+    const share = this.#pace.moving(now);
+    if (share !== this.#share) this.#sharpen(share);
+    if (!this.#pace.isReduced) return;
+    clearTimeout(this.#resting);
+    this.#resting = setTimeout(() => {
+      this.#sharpen(1);
+      this.#render();
+    }, 250);
+  }
+
   #draw(now: number): void {
+    this.#keepPace(now);
     if (this.#morph && this.#surface) {
       if (!this.#morph.write(now, this.#surface.drawn)) this.#morph = null;
       this.#surface.touch();

@@ -159,6 +159,23 @@ describe('cancelling', () => {
   });
 });
 
+describe('cancelling a gesture', () => {
+  it('keeps the shape when it ends, and settles it no more', async () => {
+    const { engine, workspace, store, lambda } = desk({
+      pause: () => new Promise((go) => setTimeout(go, 1)),
+    });
+    await workspace.open(bytes, 'a.obj');
+    engine.calls.length = 0;
+    workspace.preview(lambda(0.9));
+    workspace.cancel();
+    workspace.commit(lambda(0.9), 'Cubeness');
+    await quiet(store);
+    expect(engine.calls).toEqual(['solve current 0.9']);
+    expect(workspace.document!.result!.state).toBe('stopped');
+    expect(store.state.history.past[0]!.after).toBe(workspace.document);
+  });
+});
+
 describe('a worker that dies', () => {
   it('costs one retry', async () => {
     const { engine, workspace, store, lambda } = desk();

@@ -94,8 +94,8 @@ it('without WebGL says so and still carves', async () => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await page.goto(server.url);
-  await page.waitForSelector('[role=alert] .notice');
-  expect(await page.locator('.notice').innerText()).toContain('WebGL');
+  await page.waitForSelector('.no-canvas[role=alert]');
+  expect(await page.locator('.no-canvas').innerText()).toContain('WebGL');
   await page.waitForFunction(() =>
     document.querySelector('whittle-status .sentence')?.textContent?.startsWith('Carved'),
   );

@@ -19,6 +19,8 @@ export class Workspace {
   /** The document as it was when the gesture that is under way began. */
   #gestureFrom: WhittleDocument | null = null;
   #settling: Promise<void> = Promise.resolve();
+  /** The values whose run a person stopped: that shape is kept and not settled after all when the gesture ends. */
+  #stoppedAt: ParameterValues | null = null;
 
   constructor(store: Store, runner: Runner, display: Display) {
     this.store = store;
@@ -51,6 +53,7 @@ export class Workspace {
     const document = this.document;
     if (!document) return;
     this.#gestureFrom ??= document;
+    this.#stoppedAt = null;
     const next = withParameters(document, parameters);
     this.store.set({ document: next, notice: null });
     this.#display.adopt(next);
@@ -67,12 +70,15 @@ export class Workspace {
       if (before !== document) this.#goTo(before);
       return;
     }
-    const after = withParameters(document, parameters);
+    const keep = this.#stoppedAt !== null && sameParameters(this.#stoppedAt, parameters);
+    this.#stoppedAt = null;
+    const after = keep ? document : withParameters(document, parameters);
     this.store.set({
       document: after,
       history: record(this.store.state.history, { label, before, after }),
       notice: null,
     });
+    if (keep) return;
     this.#display.adopt(after);
     void this.#carve(false);
   }
@@ -103,6 +109,7 @@ export class Workspace {
   /** Stops what is running; the shape on the screen stays. */
   cancel(): boolean {
     if (this.store.state.activity.kind === 'idle') return false;
+    if (this.#gestureFrom) this.#stoppedAt = this.document?.parameters ?? null;
     this.#runner.cancel();
     return true;
   }

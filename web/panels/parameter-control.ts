@@ -46,7 +46,7 @@ export class WhittleParameter extends LitElement {
         <input
           id=${id} type="range" min="0" max=${travel} step="1" aria-describedby="${id}-doc"
           aria-valuetext=${spoken(Number(this.value))} .value=${String(toTravel(parameter, Number(this.value)))}
-          @input=${this.#slid} @change=${this.#let} @keydown=${this.#press} @keyup=${this.#lift} @blur=${this.#lift}
+          @input=${this.#slid} @change=${this.#let} @keydown=${this.#press} @keyup=${this.#release} @blur=${this.#lift}
         />
         <span class="hidden" id="${id}-doc">${parameter.doc}</span>
       </div>
@@ -83,7 +83,11 @@ export class WhittleParameter extends LitElement {
   };
 
   readonly #press = (event: KeyboardEvent): void => {
-    if (/^(Arrow|Page|Home|End)/.test(event.key)) this.#keyDown = true;
+    if (slides(event)) this.#keyDown = true;
+  };
+
+  readonly #release = (event: KeyboardEvent): void => {
+    if (slides(event)) this.#lift();
   };
 
   readonly #lift = (): void => {
@@ -113,6 +117,10 @@ export class WhittleParameter extends LitElement {
     const detail: ParameterChange = { name: this.parameter.name, value, phase };
     this.dispatchEvent(new CustomEvent('parameter', { detail, bubbles: true }));
   }
+}
+
+function slides({ key }: KeyboardEvent): boolean {
+  return /^(Arrow|Page|Home|End)/.test(key);
 }
 
 customElements.define('whittle-parameter', WhittleParameter);

@@ -20,7 +20,7 @@ export class WhittleTopbar extends PageElement {
           ${icon('open')}<span class="wide">Open</span>
         </button>
         <whittle-menu
-          label="Sample meshes" .face=${html`${icon('samples')}<span class="wide">Samples</span>`}
+          label="Samples" .face=${html`${icon('samples')}<span class="wide">Samples</span>`}
           .items=${samples.map((sample) => ({
             label: sample.title,
             about: sample.about,
