@@ -82,7 +82,9 @@ export type ToWorker =
 export type FromWorker =
   | { type: 'answer'; id: number; value: Calls[CallName]['answer'] }
   | { type: 'failure'; id: number; failure: Failure }
-  | { type: 'frame'; id: number; frame: Frame };
+  | { type: 'frame'; id: number; frame: Frame }
+  /** The core trapped and cannot be used any more. The last message of this worker, which closes itself. */
+  | { type: 'lost'; failure: Failure };
 
 /** Buffers that a message hands over instead of copying. The one place that knows. */
 export function transferOf(message: ToWorker | FromWorker): ArrayBuffer[] {

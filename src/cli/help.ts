@@ -1,0 +1,60 @@
+import type { MethodDescriptor, ParameterDescriptor } from '../methods/descriptor.ts';
+import { methods } from '../methods/registry.ts';
+import { flagOf } from './command.ts';
+
+/** The text of `whittle --help`. */
+export function generalHelp(): string {
+  const list = methods.map(({ id, summary }) => `  ${id.padEnd(12)}${summary}`).join('\n');
+  return `Stylize and reshape triangle meshes; only positions change, the rest of the file stays.
+
+Usage
+  whittle METHOD in.obj [--parameter value …] --out out.obj [--report report.json] [--quiet]
+  whittle run recipe.json in.obj --out out.obj [--report report.json] [--quiet]
+  whittle methods [--json]
+  whittle METHOD --help
+
+Methods
+${list}
+
+Flags
+  --out FILE      where the result goes; its ending says the format. Written whole or not at all.
+  --report FILE   counts of the mesh, and for each step iterations, outcome, energies and times, as JSON
+  --quiet         no progress and no warnings
+  --version       the version
+
+Formats: OBJ, STL, PLY, OFF, GLB and glTF. Ctrl-C stops after the current iteration and keeps what there is; a second one
+stops at once.
+Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 failed numerically (nothing is written).
+`;
+}
+
+/** A method with its parameters, defaults and ranges. */
+export function methodHelp({ id, summary, paper, parameters }: MethodDescriptor): string {
+  const head = `${id}: ${summary}\n  ${paper}\n`;
+  return head + parameters.map((parameter) => parameterHelp(parameter)).join('');
+}
+
+/** The text of `whittle methods`. */
+export function methodsHelp(): string {
+  return methods.map(methodHelp).join('\n');
+}
+
+function parameterHelp(parameter: ParameterDescriptor): string {
+  const { value, range } = valueHelp(parameter);
+  return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(28)}${range}\n      ${parameter.doc}\n`;
+}
+
+function valueHelp(parameter: ParameterDescriptor): { value: string; range: string } {
+  switch (parameter.kind) {
+    case 'number':
+    case 'integer': {
+      const { min, max, unit } = parameter;
+      const range = `${min} to ${max}${unit && ` ${unit}`}, default ${parameter.default}`;
+      return { value: parameter.kind === 'number' ? 'NUMBER' : 'COUNT', range };
+    }
+    case 'choice':
+      return { value: 'NAME', range: `${parameter.choices.join(' | ')}, default ${parameter.default}` };
+    case 'handles':
+      return { value: 'FILE.json', range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none' };
+  }
+}

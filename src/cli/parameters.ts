@@ -1,0 +1,51 @@
+import { WhittleError } from '../mesh/failure.ts';
+import { checkParameters } from '../methods/check.ts';
+import type { MethodDescriptor, ParameterDescriptor, ParameterValues } from '../methods/descriptor.ts';
+import { parseJson } from '../recipe/index.ts';
+import { flagOf } from './command.ts';
+import { readText } from './files.ts';
+import { UsageError } from './problems.ts';
+
+/**
+ * Parameter values from what was typed. Numbers and choices are checked before any file is opened.
+ *
+ * @param typed by parameter name
+ * @throws UsageError for a typed value, `WhittleError` or `FileError` for a JSON file, which the message names
+ */
+export async function readParameters(
+  method: MethodDescriptor,
+  typed: ReadonlyMap<string, string>,
+): Promise<ParameterValues> {
+  const values: Record<string, unknown> = {};
+  for (const descriptor of method.parameters) {
+    const text = typed.get(descriptor.name);
+    if (text === undefined || isFile(descriptor)) continue;
+    values[descriptor.name] = isNumber(descriptor) ? numberOf(text) : text;
+    const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
+    if (problem) throw new UsageError(`--${flagOf(descriptor.name)}: ${problem.message}`);
+  }
+  for (const descriptor of method.parameters) {
+    const file = typed.get(descriptor.name);
+    if (file === undefined || !isFile(descriptor)) continue;
+    values[descriptor.name] = parseJson(await readText(file), file);
+    const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
+    if (problem) throw new WhittleError(problem.code, `${file}: ${problem.message}`);
+  }
+  // Each of them checked above.
+  return values as ParameterValues;
+}
+
+/** Parameters that are typed as the name of a JSON file. */
+export function isFile({ kind }: ParameterDescriptor): boolean {
+  return kind === 'handles';
+}
+
+function isNumber({ kind }: ParameterDescriptor): boolean {
+  return kind === 'number' || kind === 'integer';
+}
+
+/** What is no number stays text, for the check to quote. */
+function numberOf(text: string): number | string {
+  const value = Number(text);
+  return text.trim() === '' || Number.isNaN(value) ? text : value;
+}

@@ -1,0 +1,60 @@
+import { WhittleError } from '../mesh/failure.ts';
+import type { WeldedMesh } from '../mesh/weld.ts';
+import type { Handles, MethodDescriptor, ParameterValues } from '../methods/descriptor.ts';
+
+type Point = Handles['targets'][number];
+
+/**
+ * Parameters as the core takes them: handles name welded vertices, everything else stays.
+ *
+ * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place
+ */
+export function toWelded(
+  method: MethodDescriptor,
+  parameters: ParameterValues,
+  mesh: WeldedMesh,
+): ParameterValues {
+  const welded = { ...parameters };
+  for (const { name, kind } of method.parameters) {
+    const value = parameters[name];
+    if (kind === 'handles' && value !== undefined) welded[name] = weldHandles(name, value as Handles, mesh);
+  }
+  return welded;
+}
+
+/** Handles that say the same of the same place become one; positions that the file stores twice can only move together. */
+function weldHandles(name: string, { vertices, targets }: Handles, mesh: WeldedMesh): Handles {
+  const handles = new Map<number, { source: number; target: Point }>();
+  const count = mesh.vertexOfPosition.length;
+  vertices.forEach((source, entry) => {
+    const vertex = mesh.vertexOfPosition[source];
+    if (vertex === undefined) {
+      throw new WhittleError(
+        'bad-handles',
+        `“${name}” names vertex ${source}, but the file has ${count} vertices (0 to ${count - 1}).`,
+        source,
+      );
+    }
+    const target = targets[entry]!;
+    const earlier = handles.get(vertex);
+    if (!earlier) handles.set(vertex, { source, target });
+    else if (!samePoint(earlier.target, target)) throw twoTargets(name, earlier.source, source);
+  });
+  return {
+    vertices: [...handles.keys()],
+    targets: [...handles.values()].map(({ target }) => target),
+  };
+}
+
+function twoTargets(name: string, first: number, second: number): WhittleError {
+  const message =
+    first === second
+      ? `“${name}” gives vertex ${second} two different targets; keep one.`
+      : `“${name}” gives vertices ${first} and ${second} different targets, but they are the same point of the surface ` +
+        '(the file stores it twice, along a seam); give both the same target or keep one.';
+  return new WhittleError('bad-handles', message, second);
+}
+
+function samePoint(a: Point, b: Point): boolean {
+  return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+}

@@ -1,0 +1,98 @@
+import type { ParameterValues } from '../methods/descriptor.ts';
+import type { FrameGate } from './frames.ts';
+import type { Hop } from './hop.ts';
+import type { LoadedMesh } from './loaded-mesh.ts';
+import type { Outcome, Solved, SolveSettings } from './protocol.ts';
+
+/** Messages get in at least this often, single steps permitting. Shorter would slow small meshes. */
+const hopMilliseconds = 8;
+
+/** One solve while it waits or runs. */
+export class Run {
+  readonly settings: SolveSettings;
+  readonly frames: FrameGate;
+  /** Settles (never rejects) when nothing of this run will touch the mesh any more. */
+  readonly ended: Promise<void>;
+  readonly end: () => void;
+  #stop: 'no' | 'cancelled' | 'superseded' = 'no';
+
+  constructor(settings: SolveSettings, frames: FrameGate) {
+    this.settings = settings;
+    this.frames = frames;
+    let end = () => {};
+    this.ended = new Promise((resolve) => {
+      end = resolve;
+    });
+    this.end = end;
+  }
+
+  get isStopped(): boolean {
+    return this.#stop !== 'no';
+  }
+
+  get isSuperseded(): boolean {
+    return this.#stop === 'superseded';
+  }
+
+  cancel(): void {
+    if (!this.isStopped) this.#stop = 'cancelled';
+  }
+
+  /** A newer run of the same mesh wins. */
+  supersede(): void {
+    this.#stop = 'superseded';
+  }
+}
+
+/**
+ * Steps until the core says that it is done or somebody stops the run, and answers with what there is. The core steps, this
+ * loops: between steps, messages get in and frames get out.
+ *
+ * @param parameters with handles in welded numbering
+ */
+export async function runToEnd(
+  mesh: LoadedMesh,
+  parameters: ParameterValues,
+  run: Run,
+  hop: Hop,
+): Promise<Solved> {
+  const { method, start } = run.settings;
+  const began = performance.now();
+  // A cancel or a newer request may already wait; preparing can take long.
+  await hop();
+  // The newer run may start from 'current' and means what this one would have made of it.
+  if (run.isSuperseded && start === 'rest') mesh.restart();
+  if (!run.isStopped) mesh.prepare(method, parameters, start === 'rest');
+  const prepared = performance.now();
+
+  const energy: number[] = [];
+  // The core answers a limit of none with a step that is no iteration.
+  const isNone = parameters.maxIterations === 0 && !run.isStopped;
+  const outcome = isNone ? 'iteration-limit' : await iterate(mesh, run, hop, energy);
+  const positions = mesh.copyPositions();
+  const milliseconds = { prepare: prepared - began, solve: performance.now() - prepared };
+  return { outcome, iterations: energy.length, energy, positions, milliseconds, warnings: warningsOf(mesh) };
+}
+
+async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): Promise<Outcome> {
+  let lastHop = Number.NEGATIVE_INFINITY;
+  for (;;) {
+    const now = performance.now();
+    if (now - lastHop >= hopMilliseconds) {
+      await hop();
+      lastHop = performance.now();
+    }
+    if (run.isStopped) return 'cancelled';
+    const step = mesh.step();
+    energy.push(step.energy);
+    if (step.outcome !== 'running') return step.outcome;
+    run.frames.add(energy.length, step, performance.now());
+  }
+}
+
+function warningsOf({ report }: LoadedMesh): string[] {
+  const { isolatedVertices: isolated } = report;
+  if (isolated === 0) return [];
+  const which = isolated === 1 ? '1 vertex belongs' : `${isolated} vertices belong`;
+  return [`${which} to no face and stays where it is.`];
+}

@@ -1,0 +1,111 @@
+import type { Handles, MethodDescriptor, ParameterDescriptor } from './descriptor.ts';
+import { didYouMean } from './suggest.ts';
+
+/** What is wrong with a value, as data; recipe, engine and command line make their own error of it. */
+export interface ParameterProblem {
+  readonly code: 'bad-parameter' | 'bad-handles';
+  readonly parameter: string;
+  /** One sentence that names the parameter, the value and what is allowed. */
+  readonly message: string;
+}
+
+/**
+ * The one place that holds values against a method's descriptor: unknown names, wrong kinds, numbers out of range, handles
+ * of the wrong shape. What is absent is fine. Whether handle vertices exist is for the engine, which knows the mesh.
+ *
+ * @param values typed as `unknown` because recipes and pages can hand over anything
+ * @returns the first problem, or undefined
+ */
+export function checkParameters(
+  method: MethodDescriptor,
+  values: Readonly<Record<string, unknown>>,
+): ParameterProblem | undefined {
+  for (const [name, value] of Object.entries(values)) {
+    const descriptor = method.parameters.find((parameter) => parameter.name === name);
+    if (!descriptor) {
+      const names = method.parameters.map((parameter) => parameter.name);
+      return problem(
+        'bad-parameter',
+        name,
+        `The method “${method.id}” has no parameter “${name}”.${didYouMean(name, names)}`,
+      );
+    }
+    const found = checkValue(descriptor, value);
+    if (found) return found;
+  }
+  return undefined;
+}
+
+function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterProblem | undefined {
+  const { name } = descriptor;
+  switch (descriptor.kind) {
+    case 'number':
+    case 'integer': {
+      const { min, max, kind } = descriptor;
+      const isRight = kind === 'integer' ? Number.isInteger(value) : Number.isFinite(value);
+      if (isRight && (value as number) >= min && (value as number) <= max) return undefined;
+      const wanted = kind === 'integer' ? 'a whole number' : 'a number';
+      return problem(
+        'bad-parameter',
+        name,
+        `“${name}” must be ${wanted} from ${min} to ${max}, not ${show(value)}.`,
+      );
+    }
+    case 'choice':
+      if (descriptor.choices.includes(value as string)) return undefined;
+      return problem(
+        'bad-parameter',
+        name,
+        `“${name}” must be one of ${descriptor.choices.join(', ')}, not ${show(value)}.`,
+      );
+    case 'handles': {
+      const what = handlesProblem(value);
+      return what === undefined ? undefined : problem('bad-handles', name, `“${name}” ${what}`);
+    }
+    default: {
+      const unhandled: never = descriptor;
+      throw new Error(`no check for ${JSON.stringify(unhandled)}`);
+    }
+  }
+}
+
+/** The rest of a sentence that begins with the parameter's name. */
+function handlesProblem(value: unknown): string | undefined {
+  const shape = 'must be {"vertices": [index, …], "targets": [[x, y, z], …]}';
+  if (typeof value !== 'object' || value === null || Array.isArray(value))
+    return `${shape}, not ${show(value)}.`;
+  const { vertices, targets, ...rest } = value as { vertices?: unknown; targets?: unknown };
+  if (!Array.isArray(vertices) || !Array.isArray(targets)) return `${shape}; both lists are needed.`;
+  const [stranger] = Object.keys(rest);
+  if (stranger !== undefined) return `${shape}; it has an entry “${stranger}” too many.`;
+  if (vertices.length !== targets.length) {
+    return `must have as many targets as vertices; there are ${vertices.length} vertices and ${targets.length} targets.`;
+  }
+  const badVertex = vertices.findIndex((vertex) => !Number.isInteger(vertex) || vertex < 0);
+  if (badVertex >= 0) {
+    return `must name vertices by whole numbers from 0; entry ${badVertex} is ${show(vertices[badVertex])}.`;
+  }
+  const badTarget = targets.findIndex((target) => !isPoint(target));
+  if (badTarget >= 0) {
+    return `must have targets [x, y, z] of finite numbers; entry ${badTarget} is ${show(targets[badTarget])}.`;
+  }
+  return undefined;
+}
+
+function isPoint(value: unknown): value is Handles['targets'][number] {
+  return Array.isArray(value) && value.length === 3 && value.every((entry) => Number.isFinite(entry));
+}
+
+/** A value as a person may recognise it, cut short. JSON has no NaN or Infinity, hence the detour for numbers. */
+function show(value: unknown): string {
+  if (typeof value === 'number') return String(value);
+  const text = JSON.stringify(value, (_, entry) =>
+    typeof entry === 'number' && !Number.isFinite(entry) ? String(entry) : entry,
+  );
+  if (text === undefined) return String(value);
+  return text.length > 60 ? `${text.slice(0, 57)}…` : text;
+}
+
+function problem(code: ParameterProblem['code'], parameter: string, message: string): ParameterProblem {
+  return { code, parameter, message };
+}

@@ -1,0 +1,76 @@
+import { type FailureCode, WhittleError } from '../mesh/failure.ts';
+import { checkParameters } from '../methods/check.ts';
+import type { ParameterValues } from '../methods/descriptor.ts';
+import { findMethod, methods } from '../methods/registry.ts';
+import { didYouMean } from '../methods/suggest.ts';
+import { isObject, parseJson } from './json.ts';
+
+/** One run of a method. Each step begins from the shape that the one before left, as its rest shape. */
+export interface RecipeStep {
+  readonly method: string;
+  /** What is absent has its default. */
+  readonly parameters: ParameterValues;
+}
+
+/** Everything the page can do to a mesh, as saved and as the command line runs it. */
+export interface Recipe {
+  /** One step or more. */
+  readonly steps: readonly RecipeStep[];
+}
+
+/** The format's version; a recipe says it as `"whittle": 1`. */
+const version = 1;
+
+/**
+ * Reads a recipe and holds it against the method descriptors. Whether handle vertices exist is known only with the mesh.
+ *
+ * @param fileName for the messages, which all begin with it
+ * @throws WhittleError `bad-recipe` (JSON or shape; element: line or step), `unknown-method`, `bad-parameter`, `bad-handles`
+ */
+export function parseRecipe(text: string, fileName: string): Recipe {
+  const recipe = parseJson(text, fileName);
+  if (!isObject(recipe) || !('whittle' in recipe)) {
+    throw bad(fileName, `a recipe is {"whittle": ${version}, "steps": […]}; the entry “whittle” is missing.`);
+  }
+  if (recipe.whittle !== version) {
+    const found = JSON.stringify(recipe.whittle);
+    throw bad(fileName, `this is a recipe of version ${found}; this Whittle reads version ${version}.`);
+  }
+  const stranger = Object.keys(recipe).find((key) => key !== 'whittle' && key !== 'steps');
+  if (stranger !== undefined) {
+    throw bad(fileName, `a recipe has no entry “${stranger}”.${didYouMean(stranger, ['whittle', 'steps'])}`);
+  }
+  if (!Array.isArray(recipe.steps) || recipe.steps.length === 0) {
+    throw bad(fileName, '“steps” must be a list of one step or more, such as {"method": "cubic"}.');
+  }
+  return {
+    steps: recipe.steps.map((step, index) => parseStep(step, `${fileName}, step ${index + 1}`, index)),
+  };
+}
+
+/** The recipe as text, one step a line, to be read again by {@link parseRecipe}. */
+export function formatRecipe({ steps }: Recipe): string {
+  const lines = steps.map(({ method, parameters }) => `    ${JSON.stringify({ method, ...parameters })}`);
+  return `{\n  "whittle": ${version},\n  "steps": [\n${lines.join(',\n')}\n  ]\n}\n`;
+}
+
+function parseStep(step: unknown, place: string, index: number): RecipeStep {
+  if (!isObject(step)) throw bad(place, 'a step is an object such as {"method": "cubic"}.', index);
+  const { method: id, ...values } = step;
+  const ids = methods.map((method) => method.id);
+  if (typeof id !== 'string') {
+    throw bad(place, `“method” must name a method: ${ids.join(', ')}.`, index);
+  }
+  const method = findMethod(id);
+  if (!method) {
+    throw bad(place, `there is no method “${id}”.${didYouMean(id, ids)}`, index, 'unknown-method');
+  }
+  const problem = checkParameters(method, values);
+  if (problem) throw bad(place, problem.message, index, problem.code);
+  // Checked just above.
+  return { method: id, parameters: values as ParameterValues };
+}
+
+function bad(place: string, what: string, element?: number, code: FailureCode = 'bad-recipe'): WhittleError {
+  return new WhittleError(code, `${place}: ${what}`, element);
+}

@@ -1,0 +1,147 @@
+import type { Core, CoreSession, Step } from '../../src/engine/core.ts';
+import type { Services } from '../../src/engine/services.ts';
+import { WhittleError } from '../../src/mesh/failure.ts';
+import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
+import type { Handles, ParameterValues } from '../../src/methods/descriptor.ts';
+
+/** Values of `lambda` that make the fake core misbehave at its third step. */
+export const trapLambda = 66;
+export const failLambda = 67;
+
+export interface FakeOptions {
+  /** Each step computes (blocks) this long. */
+  readonly stepMilliseconds?: number;
+}
+
+/**
+ * A core without wasm: every vertex goes half of the way to its handle, or to half of its rest position, at each step.
+ * What it was asked is in `log`.
+ */
+export class FakeCore implements Core {
+  readonly log: string[] = [];
+  readonly handles: (Handles | undefined)[] = [];
+  steps = 0;
+  opened = 0;
+  freed = 0;
+  readonly options: FakeOptions;
+
+  constructor(options: FakeOptions = {}) {
+    this.options = options;
+  }
+
+  open(): CoreSession {
+    this.opened++;
+    return new FakeSession(this);
+  }
+
+  methods(): unknown {
+    return [];
+  }
+
+  heapBytes(): number {
+    return 0;
+  }
+}
+
+class FakeSession implements CoreSession {
+  readonly #core: FakeCore;
+  #rest = new Float64Array();
+  #current = new Float64Array();
+  #target = new Float64Array();
+  #parameters: ParameterValues = {};
+  #iteration = 0;
+
+  constructor(core: FakeCore) {
+    this.#core = core;
+  }
+
+  load(positions: Float64Array, triangles: Uint32Array): MeshReport {
+    this.#core.log.push('load');
+    const bad = positions.findIndex((coordinate) => !Number.isFinite(coordinate));
+    if (bad >= 0) {
+      const vertex = Math.floor(bad / 3);
+      throw new WhittleError('not-finite', `vertex ${vertex} is not finite; repair the file`, vertex);
+    }
+    this.#rest = positions.slice();
+    this.#current = positions.slice();
+    return {
+      ...{ vertices: positions.length / 3, faces: triangles.length / 3, components: 1, boundaryEdges: 0 },
+      ...{ nonManifoldEdges: 0, degenerateFaces: 0, duplicateFaces: 0, isolatedVertices: 0 },
+      ...{ min: [0, 0, 0] as const, max: [1, 1, 1] as const },
+    };
+  }
+
+  configure(method: string, parameters: ParameterValues): void {
+    const handles = parameters.handles as Handles | undefined;
+    this.#core.log.push(`configure ${method}`);
+    this.#core.handles.push(handles);
+    this.#parameters = parameters;
+    this.#iteration = 0;
+    this.#target = this.#rest.map((coordinate) => coordinate / 2);
+    handles?.vertices.forEach((vertex, entry) => {
+      this.#target.set(handles.targets[entry]!, 3 * vertex);
+    });
+  }
+
+  restart(): void {
+    this.#core.log.push('restart');
+    this.#current = this.#rest.slice();
+  }
+
+  prepare(): void {
+    this.#core.log.push('prepare');
+  }
+
+  step(): Step {
+    const until = performance.now() + (this.#core.options.stepMilliseconds ?? 0);
+    this.#core.steps++;
+    this.#iteration++;
+    const { lambda, maxIterations, tolerance } = this.#parameters as Record<string, number | undefined>;
+    if (this.#iteration === 3 && lambda === trapLambda) throw new WebAssembly.RuntimeError('unreachable');
+    if (this.#iteration === 3 && lambda === failLambda) {
+      this.#current.fill(Number.NaN);
+      throw new WhittleError('numerical-failure', 'The system cannot be factorized; use a smaller λ.');
+    }
+    let energy = 0;
+    let change = 0;
+    for (let c = 0; c < this.#current.length; c++) {
+      const way = this.#target[c]! - this.#current[c]!;
+      energy += way * way;
+      change = Math.max(change, Math.abs(way));
+      this.#current[c]! += way / 2;
+    }
+    while (performance.now() < until);
+    if (change < (tolerance ?? 3e-3)) return { outcome: 'converged', energy, change };
+    const isOver = this.#iteration >= (maxIterations ?? 1000);
+    return { outcome: isOver ? 'iteration-limit' : 'running', energy, change };
+  }
+
+  copyPositions(into: Float64Array): void {
+    into.set(this.#current);
+  }
+
+  free(): void {
+    this.#core.freed++;
+  }
+}
+
+/** Files of the fake: `read` gives back the bytes as coordinates, `write` refuses a 'bad' format. */
+export function fakeServices(core: FakeCore): Services {
+  return {
+    loadCore: async () => core,
+    readMesh: (bytes) => ({ mesh: tetrahedron([...bytes]), format: 'fake', warnings: [] }),
+    writeMesh: (source, _name, format, positions) => {
+      if (format === 'bad') throw new WhittleError('unknown-format', 'There is no format “bad”.');
+      return new Uint8Array([...source, ...positions]);
+    },
+  };
+}
+
+/** Four corners; corner 0 is stored twice (positions 0 and 2), hence five positions and four welded vertices. */
+export function tetrahedron(positions = [0, 0, 0, 8, 0, 0, 0, 0, 0, 0, 8, 0, 0, 0, 8]): Mesh {
+  return {
+    positions: new Float64Array(positions),
+    triangles: new Uint32Array([0, 3, 1, 2, 1, 4, 1, 3, 4, 3, 0, 4]),
+    hasUvs: false,
+  };
+}
