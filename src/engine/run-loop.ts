@@ -93,6 +93,7 @@ async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): 
 function warningsOf({ report }: LoadedMesh): string[] {
   const { isolatedVertices: isolated } = report;
   if (isolated === 0) return [];
-  const which = isolated === 1 ? '1 vertex belongs' : `${isolated} vertices belong`;
-  return [`${which} to no face and stays where it is.`];
+  return isolated === 1
+    ? ['1 vertex belongs to no face and stays where it is.']
+    : [`${isolated} vertices belong to no face and stay where they are.`];
 }

@@ -207,3 +207,15 @@ test('a released mesh is freed, its run stopped, and it can come back', async ()
   await engine.inspect(mesh);
   expect(core).toMatchObject({ opened: 2, freed: 1 });
 });
+
+test('a mesh that is released while it loads is freed all the same', async () => {
+  start();
+  const mesh = tetrahedron();
+  const solving = engine.solve(mesh, settings(endless));
+  engine.release(mesh);
+  const again = engine.inspect(mesh);
+  expect((await solving).outcome).toBe('cancelled');
+  await again;
+  expect((await engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 }))).iterations).toBe(1);
+  expect(core).toMatchObject({ opened: 2, freed: 1 });
+});

@@ -34,7 +34,7 @@ export class FakeCore implements Core {
     return new FakeSession(this);
   }
 
-  methods(): unknown {
+  methods(): ReturnType<Core['methods']> {
     return [];
   }
 
