@@ -3,6 +3,7 @@ import type { FrameGate } from './frames.ts';
 import type { Hop } from './hop.ts';
 import type { LoadedMesh } from './loaded-mesh.ts';
 import type { Outcome, Solved, SolveSettings } from './protocol.ts';
+import { warningsOf } from './warnings.ts';
 
 /** Messages get in at least this often, single steps permitting. Shorter would slow small meshes. */
 const hopMilliseconds = 8;
@@ -71,7 +72,14 @@ export async function runToEnd(
   const outcome = isNone ? 'iteration-limit' : await iterate(mesh, run, hop, energy);
   const positions = mesh.copyPositions();
   const milliseconds = { prepare: prepared - began, solve: performance.now() - prepared };
-  return { outcome, iterations: energy.length, energy, positions, milliseconds, warnings: warningsOf(mesh) };
+  return {
+    outcome,
+    iterations: energy.length,
+    energy,
+    positions,
+    milliseconds,
+    warnings: warningsOf(mesh.report),
+  };
 }
 
 async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): Promise<Outcome> {
@@ -88,12 +96,4 @@ async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): 
     if (step.outcome !== 'running') return step.outcome;
     run.frames.add(energy.length, step, performance.now());
   }
-}
-
-function warningsOf({ report }: LoadedMesh): string[] {
-  const { isolatedVertices: isolated } = report;
-  if (isolated === 0) return [];
-  return isolated === 1
-    ? ['1 vertex belongs to no face and stays where it is.']
-    : [`${isolated} vertices belong to no face and stay where they are.`];
 }
