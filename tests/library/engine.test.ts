@@ -128,6 +128,16 @@ test('the latest request wins, and every earlier one keeps what it has', async (
   expect(core.log.filter((line) => line === 'prepare')).toHaveLength(2);
 });
 
+test('a run from the current shape means what the run it overtakes would have begun with', async () => {
+  start();
+  const mesh = tetrahedron();
+  await engine.solve(mesh, settings({ maxIterations: 2, tolerance: 0 }));
+  const overtaken = engine.solve(mesh, settings(endless));
+  const latest = engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 }, { start: 'current' }));
+  expect(await overtaken).toMatchObject({ outcome: 'cancelled', iterations: 0 });
+  expect((await latest).positions[3]).toBe(6);
+});
+
 test('a request that is refused leaves the run before it alone', async () => {
   start({ stepMilliseconds: 2 });
   const mesh = tetrahedron();
