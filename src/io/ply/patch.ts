@@ -39,7 +39,7 @@ function newPlyNormals(file: PlyFile, positions: Float64Array): Float64Array | u
 }
 
 function propertyOf(file: PlyFile, property: string): PlyProperty | undefined {
-  return file.vertex.properties.findLast((candidate) => candidate.name === property);
+  return file.vertex.properties.findLast((candidate) => candidate.name === property && !candidate.countKind);
 }
 
 /** Index of a property among the vertex's properties. */
