@@ -1,7 +1,7 @@
 import { afterEach, expect, test } from 'vitest';
 import { createEngine, type Engine } from '../../src/engine/client.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
-import type { SolveSettings } from '../../src/engine/protocol.ts';
+import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import { FakeCore, type FakeOptions, failLambda, fakeServices, tetrahedron } from './fake-core.ts';
 
@@ -136,6 +136,22 @@ test('a run from the current shape means what the run it overtakes would have be
   const latest = engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 }, { start: 'current' }));
   expect(await overtaken).toMatchObject({ outcome: 'cancelled', iterations: 0 });
   expect((await latest).positions[3]).toBe(6);
+});
+
+test('requests that come faster than they can be prepared still make headway', async () => {
+  start({ prepareMilliseconds: 12 });
+  const mesh = tetrahedron();
+  await engine.inspect(mesh);
+  const runs: Promise<Solved>[] = [];
+  for (let request = 0; request < 30; request++) {
+    runs.push(engine.solve(mesh, settings(endless, { start: 'current' })));
+    await new Promise((resolve) => setTimeout(resolve, 2));
+  }
+  runs.push(engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 })));
+  const iterations = (await Promise.all(runs)).map((solved) => solved.iterations);
+  const prepared = core.log.filter((line) => line === 'prepare').length;
+  expect(prepared).toBeGreaterThan(2);
+  expect(iterations.filter((count) => count > 0)).toHaveLength(prepared);
 });
 
 test('a request that is refused leaves the run before it alone', async () => {
