@@ -1,6 +1,7 @@
 import type { Mesh } from '../mesh/mesh.ts';
 import { weld } from '../mesh/weld.ts';
 import { plainBytes } from './bytes.ts';
+import { fitsFloat32, unfitPosition } from './fit.ts';
 import { type Format, formats } from './formats.ts';
 import { handlers } from './handlers.ts';
 import { type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
@@ -84,13 +85,14 @@ function checkPositions(file: ParsedFile, format: Format, name: string, position
     const sentence = `it has ${wanted}, but ${positions.length / 3} were given; read it again.`;
     throw refusal('bad-parameter', name, '', sentence);
   }
-  const is32Bit = format === 'stl-binary' || format === 'glb' || format === 'gltf' || format === 'ply-binary';
+  // A PLY may hold doubles and a glTF may scale, so these two look again when they patch.
+  const is32Bit = format === 'stl-binary' || format === 'glb' || format === 'gltf';
   for (let i = 0; i < positions.length; i++) {
-    const value = is32Bit && positions[i] !== file.positions[i] ? Math.fround(positions[i]) : positions[i];
-    if (Number.isFinite(value)) continue;
-    const p = Math.floor(i / 3);
-    const sentence = `its new coordinate ${positions[i]} cannot be written; undo the last step.`;
-    throw refusal('not-finite', name, `vertex ${p}`, sentence, p);
+    const value = positions[i];
+    const isNew = value !== file.positions[i];
+    if (isNew && !(is32Bit ? fitsFloat32(value) : Number.isFinite(value))) {
+      throw unfitPosition(name, Math.floor(i / 3), value);
+    }
   }
 }
 

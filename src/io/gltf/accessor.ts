@@ -14,8 +14,6 @@ const componentCounts: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, 
 const float32 = 5126;
 /** Value of 1 for normalised whole numbers. */
 const unitOf: Readonly<Record<number, number>> = { 5120: 127, 5121: 255, 5122: 32767, 5123: 65535 };
-/** A zero-filled accessor takes no bytes; this bounds what it can claim. */
-const mostZeros = 1 << 24;
 
 /** Elements side by side in a buffer. */
 interface Strided {
@@ -57,17 +55,13 @@ export class Accessor {
     this.#unit = json.normalized === true && !this.isFloat ? (unitOf[this.#componentType] ?? 1) : 1;
     this.count = document.count(json.count, place);
     const size = this.components * componentSizes[this.#componentType];
-    if (json.bufferView === undefined) {
-      if (this.count > mostZeros)
-        throw document.malformed(place, `it has ${this.count} elements but no data`);
-    } else {
-      this.#base = this.#locate(json, this.count, size, place);
-    }
+    if (json.bufferView !== undefined) this.#base = this.#locate(json, this.count, size, place);
     if (json.sparse !== undefined) this.#sparse = this.#readSparse(json, size, place);
   }
 
   /** All elements as numbers, #count×components. */
   read(): Float64Array<ArrayBuffer> {
+    this.#document.spend(this.count, `accessor ${this.index}`);
     const values = new Float64Array(this.count * this.components);
     const size = componentSizes[this.#componentType];
     if (this.#base) {
@@ -171,6 +165,7 @@ export class Accessor {
     const indexSize = componentSizes[type];
     const where = this.#locate(indices, count, indexSize, place);
     const view = viewOf(document.buffer(where.buffer));
+    document.spend(count, place);
     for (let slot = 0; slot < count; slot++) {
       const at = where.offset + slot * indexSize;
       const element =

@@ -23,11 +23,13 @@ export class GltfDocument {
   readonly layout: Layout;
   readonly root: Json;
   readonly #buffers = new Map<number, Uint8Array>();
+  #budget: number;
 
   /** @throws malformed-file, truncated-file, unsupported-file */
   constructor(bytes: Uint8Array, name: string, isBinary: boolean) {
     this.bytes = bytes;
     this.name = name;
+    this.#budget = 1e6 + 64 * bytes.length;
     this.layout = isBinary ? this.#glbLayout() : { json: [hasByteOrderMark(bytes) ? 3 : 0, bytes.length] };
     this.root = this.record(this.#parse(), 'the JSON');
     const version = this.record(this.root.asset ?? {}, 'asset').version;
@@ -39,6 +41,19 @@ export class GltfDocument {
 
   malformed(place: string, what: string): Error {
     return refusal('malformed-file', this.name, place, `${what}; export the file again.`);
+  }
+
+  /**
+   * Counts elements that are about to be read. A small file may name the same data ever again; what it can ask for in
+   * all is bounded by its length.
+   *
+   * @throws too-large
+   */
+  spend(elements: number, place: string): void {
+    this.#budget -= elements;
+    if (this.#budget >= 0) return;
+    const sentence = 'it unfolds to far more data than the file holds; split the model.';
+    throw refusal('too-large', this.name, place, sentence);
   }
 
   /** An object, checked. */
@@ -121,7 +136,9 @@ export class GltfDocument {
 
   #parse(): unknown {
     const [begin, end] = this.layout.json;
-    const text = new TextDecoder().decode(this.bytes.slice(begin, end));
+    let textEnd = end;
+    while (textEnd > begin && this.bytes[textEnd - 1] === 0) textEnd--; // some exporters pad with zeros
+    const text = new TextDecoder().decode(this.bytes.slice(begin, textEnd));
     try {
       return JSON.parse(text);
     } catch {

@@ -1,5 +1,6 @@
 import { ByteWriter } from '../byte-writer.ts';
 import { encodeUtf8, viewOf } from '../bytes.ts';
+import { fitsFloat32, unfitPosition } from '../fit.ts';
 import { newNormals } from '../normals.ts';
 import { refusal } from '../refuse.ts';
 import { hasMoved } from '../text-patch.ts';
@@ -79,7 +80,11 @@ class GltfPatch {
         0,
       );
       const view = this.#view(accessor, v);
-      for (let axis = 0; axis < 3; axis++) accessor.set(view, v, axis, local[3 * v + axis] + move[axis]);
+      for (let axis = 0; axis < 3; axis++) {
+        const value = local[3 * v + axis] + move[axis];
+        if (!fitsFloat32(value)) throw unfitPosition(this.#file.document.name, p, after[i + axis]);
+        accessor.set(view, v, axis, value);
+      }
       this.#touched.add(accessor.index);
     }
   }

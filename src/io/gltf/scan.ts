@@ -29,9 +29,6 @@ export interface GltfFile extends ParsedFile {
   readonly normalOfCorner: Uint32Array;
 }
 
-/** More corners than this in one file is an attack or a mistake: a small file can name the same indices many times. */
-const mostCorners = 3 << 26;
-
 /**
  * Reads glTF 2 and GLB. Positions are those of the default scene, node transforms applied. A mesh that stands in the
  * scene several times is taken once, at its first place: it has one set of positions in the file, so its other places
@@ -128,9 +125,7 @@ class GltfScan {
     const vertices = part.accessor.count;
     const indices = this.#indices(json, vertices, place);
     const triangleCount = mode === 4 ? Math.floor(indices.length / 3) : Math.max(0, indices.length - 2);
-    if (this.#corners.length + 3 * triangleCount > mostCorners) {
-      throw refusal('too-large', document.name, place, 'there are too many triangles; split the model.');
-    }
+    document.spend(triangleCount, place);
     const corner = (i: number) => {
       this.#corners.push(part.first + indices[i]);
       this.#normalOfCorner.push(normals ? normals.first + indices[i] : none);
@@ -176,7 +171,7 @@ class GltfScan {
       for (let axis = 0; axis < 3; axis++) {
         world[axis] += toWorld[12 + axis];
         if (Number.isFinite(world[axis])) continue;
-        const sentence = `vertex ${i / 3} has the coordinate ${local[i + axis]}; repair the mesh and export it again.`;
+        const sentence = `vertex ${i / 3} ends up at the coordinate ${world[axis]}; repair the mesh and export it again.`;
         throw refusal('not-finite', this.#document.name, `accessor ${accessor.index}`, sentence, i / 3);
       }
       this.#positions.push3(world[0], world[1], world[2]);
@@ -229,12 +224,15 @@ class GltfScan {
   }
 
   #indices(json: Json, vertices: number, place: string): Uint32Array {
-    if (json.indices === undefined) return Uint32Array.from({ length: vertices }, (_, i) => i);
+    if (json.indices === undefined) {
+      this.#document.spend(vertices, place);
+      return new Uint32Array(vertices).map((_, i) => i);
+    }
     const accessor = new Accessor(this.#document, json.indices, place);
     if (accessor.components !== 1 || accessor.isFloat) {
       throw this.#document.malformed(`accessor ${accessor.index}`, 'indices are not whole numbers');
     }
-    const indices = Uint32Array.from(accessor.read());
+    const indices = new Uint32Array(accessor.read());
     const bad = indices.findIndex((index) => index >= vertices);
     if (bad < 0) return indices;
     const sentence = `it uses vertex ${indices[bad]}, but there are only ${vertices}; export the file again.`;
