@@ -1,0 +1,84 @@
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
+import type { Mesh } from '../mesh/mesh.ts';
+import { weld } from '../mesh/weld.ts';
+import { uniqueEdges } from './edges.ts';
+import { NormalWriter } from './normals.ts';
+import { frameOf, toView, type ViewFrame } from './view-frame.ts';
+
+/**
+ * The drawn geometry of one mesh. GPU vertices are the file's positions in the file's order, so an update is one straight
+ * copy into the buffers that are already there; nothing is allocated while a solve runs.
+ */
+export class Surface {
+  readonly geometry = new BufferGeometry();
+  readonly frame: ViewFrame;
+  readonly hasColors: boolean;
+  readonly #mesh: Mesh;
+  readonly #welded: { triangles: Uint32Array; vertices: number };
+  readonly #normals: NormalWriter;
+  readonly #position: BufferAttribute;
+  readonly #normal: BufferAttribute;
+  #edges: BufferGeometry | null = null;
+
+  constructor(mesh: Mesh) {
+    this.#mesh = mesh;
+    this.frame = frameOf(mesh.positions);
+    const { positions, triangles, vertexOfPosition } = weld(mesh.positions, mesh.triangles);
+    const vertices = positions.length / 3;
+    this.#welded = { triangles, vertices };
+    this.#normals = new NormalWriter(mesh.triangles, triangles, vertexOfPosition, vertices);
+    this.#position = dynamic(mesh.positions.length);
+    this.#normal = dynamic(mesh.positions.length);
+    this.hasColors = mesh.colors !== undefined;
+    this.geometry.setAttribute('position', this.#position);
+    this.geometry.setAttribute('normal', this.#normal);
+    if (mesh.colors) this.geometry.setAttribute('color', new BufferAttribute(mesh.colors, 3));
+    this.geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
+    this.write(mesh.positions);
+  }
+
+  /** View-space positions as they are drawn now, #P×3; a live view, not a copy. */
+  get drawn(): Float32Array {
+    return this.#position.array as Float32Array;
+  }
+
+  /** Draws positions of the file (#P×3) from now on. */
+  write(positions: Float64Array): void {
+    toView(positions, this.frame, this.drawn);
+    this.touch();
+  }
+
+  /** To be called after {@link drawn} was written to: renews normals and tells the GPU. */
+  touch(): void {
+    this.#normals.write(this.drawn, this.#normal.array as Float32Array);
+    this.#position.needsUpdate = true;
+    this.#normal.needsUpdate = true;
+  }
+
+  /** The edges as line segments over the same position buffer; made when first asked for. */
+  edges(): BufferGeometry {
+    if (this.#edges) return this.#edges;
+    const edges = new BufferGeometry();
+    edges.setAttribute('position', this.#position);
+    const index = uniqueEdges(this.#welded.triangles, this.#mesh.triangles, this.#welded.vertices);
+    edges.setIndex(new BufferAttribute(index, 1));
+    this.#edges = edges;
+    return edges;
+  }
+
+  /** Smallest drawn coordinate on an axis (0, 1, 2): where the ground goes. */
+  lowest(axis: 0 | 1 | 2): number {
+    let low = Infinity;
+    for (let i: number = axis; i < this.drawn.length; i += 3) if (this.drawn[i]! < low) low = this.drawn[i]!;
+    return Number.isFinite(low) ? low : 0;
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+    this.#edges?.dispose();
+  }
+}
+
+function dynamic(length: number): BufferAttribute {
+  return new BufferAttribute(new Float32Array(length), 3).setUsage(DynamicDrawUsage);
+}

@@ -1,0 +1,275 @@
+import {
+  BackSide,
+  type Camera,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh as MeshObject,
+  MeshPhysicalMaterial,
+  PCFShadowMap,
+  Scene,
+  WebGLRenderer,
+} from 'three';
+import type { Mesh } from '../mesh/mesh.ts';
+import { CameraRig, type Insets } from './camera-rig.ts';
+import { Morph } from './morph.ts';
+import { RenderLoop } from './render-loop.ts';
+import { lightTheme, Stage, type StageTheme } from './stage.ts';
+import { Surface } from './surface.ts';
+import { toView } from './view-frame.ts';
+
+export type { Insets } from './camera-rig.ts';
+export { darkTheme, lightTheme, type StageTheme } from './stage.ts';
+
+export type Shading = 'smooth' | 'flat' | 'wire';
+
+/** What the viewer asks of a renderer; a test gives its own. */
+export interface Renderer {
+  setPixelRatio(ratio: number): void;
+  setSize(width: number, height: number, style: boolean): void;
+  render(scene: Scene, camera: Camera): void;
+  dispose(): void;
+  readonly shadowMap: { enabled: boolean; type: number; autoUpdate: boolean; needsUpdate: boolean };
+}
+
+export interface ViewerOptions {
+  readonly createRenderer?: (canvas: HTMLCanvasElement) => Renderer;
+  /** Most device pixels per CSS pixel; default 2. */
+  readonly maxPixelRatio?: number;
+  /** The graphics context is gone (true) or back (false). The viewer draws again by itself when it is back. */
+  readonly onContext?: (lost: boolean) => void;
+}
+
+/** Draws one mesh on a canvas. Draws on demand only; every setter asks for a drawing. */
+export class Viewer {
+  readonly canvas: HTMLCanvasElement;
+  readonly #renderer: Renderer;
+  readonly #scene = new Scene();
+  readonly #turned = new Group();
+  readonly #stage = new Stage(this.#scene);
+  readonly #rig: CameraRig;
+  readonly #loop = new RenderLoop((now) => this.#draw(now));
+  readonly #clay = new MeshPhysicalMaterial({
+    roughness: 0.62,
+    sheen: 0.35,
+    sheenRoughness: 0.6,
+    side: DoubleSide,
+  });
+  readonly #facets = this.#clay.clone();
+  readonly #ink = new LineBasicMaterial({ transparent: true, depthWrite: false });
+  readonly #maxPixelRatio: number;
+  readonly #off = new AbortController();
+  #body: MeshObject | null = null;
+  #lines: LineSegments | null = null;
+  #surface: Surface | null = null;
+  #shading: Shading = 'smooth';
+  #theme = lightTheme;
+  #morph: Morph | null = null;
+  #zUp = false;
+  #drawings = 0;
+
+  /** @throws Error with a sentence for people when the browser gives no WebGL context */
+  constructor(canvas: HTMLCanvasElement, options: ViewerOptions = {}) {
+    this.canvas = canvas;
+    this.#maxPixelRatio = options.maxPixelRatio ?? 2;
+    this.#renderer = (options.createRenderer ?? webGlRenderer)(canvas);
+    this.#renderer.shadowMap.enabled = true;
+    this.#renderer.shadowMap.type = PCFShadowMap;
+    this.#renderer.shadowMap.autoUpdate = false;
+    this.#rig = new CameraRig(canvas, this.#loop.invalidate);
+    this.#scene.add(this.#turned);
+    for (const material of [this.#clay, this.#facets]) {
+      // What casts is the side away from the light, which is dark anyway: no speckle where it grazes.
+      material.shadowSide = BackSide;
+      material.polygonOffset = true;
+      material.polygonOffsetFactor = material.polygonOffsetUnits = 1;
+    }
+    this.#facets.flatShading = true;
+    this.#watchContext(options.onContext ?? (() => {}));
+    this.setTheme(lightTheme);
+  }
+
+  /** How often it has drawn; a page at rest does not count up. */
+  get drawings(): number {
+    return this.#drawings;
+  }
+
+  /** Shows another mesh and frames it. @param up the axis that points up in the file */
+  show(mesh: Mesh, up: 'y' | 'z' = 'y'): void {
+    this.clear();
+    this.#surface = new Surface(mesh);
+    this.#body = new MeshObject(this.#surface.geometry, this.#clay);
+    this.#body.castShadow = this.#body.receiveShadow = true;
+    this.#body.frustumCulled = false;
+    this.#turned.add(this.#body);
+    this.#zUp = up === 'z';
+    this.#turned.rotation.x = this.#zUp ? -Math.PI / 2 : 0;
+    this.#paint();
+    this.setShading(this.#shading);
+    this.#measure(mesh);
+    this.#rig.fit(1, false);
+    this.#changed();
+  }
+
+  clear(): void {
+    this.#morph = null;
+    this.#turned.clear();
+    this.#surface?.dispose();
+    this.#surface = this.#body = this.#lines = null;
+    this.#loop.invalidate();
+  }
+
+  /** Draws other positions (#P×3, the file's units) of the mesh that is shown. @param glide milliseconds to get there */
+  update(positions: Float64Array, glide = 0): void {
+    if (!this.#surface) return;
+    this.#morph = null;
+    if (glide > 0) {
+      const target = new Float32Array(this.#surface.drawn.length);
+      toView(positions, this.#surface.frame, target);
+      this.#morph = new Morph(this.#surface.drawn, target, performance.now(), glide);
+    } else {
+      this.#surface.write(positions);
+    }
+    this.#changed();
+  }
+
+  setShading(shading: Shading): void {
+    this.#shading = shading;
+    if (this.#body) this.#body.material = shading === 'smooth' ? this.#clay : this.#facets;
+    if (shading === 'wire' && !this.#lines && this.#surface) {
+      this.#lines = new LineSegments(this.#surface.edges(), this.#ink);
+      this.#lines.frustumCulled = false;
+      this.#turned.add(this.#lines);
+    }
+    if (this.#lines) this.#lines.visible = shading === 'wire';
+    this.#loop.invalidate();
+  }
+
+  setTheme(theme: StageTheme): void {
+    this.#theme = theme;
+    this.#stage.apply(theme);
+    this.#paint();
+    this.#loop.invalidate();
+  }
+
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.#renderer.setPixelRatio(Math.min(pixelRatio, this.#maxPixelRatio));
+    this.#renderer.setSize(width, height, false);
+    this.#rig.resize(width, height);
+    this.#loop.invalidate();
+  }
+
+  setInsets(insets: Insets): void {
+    this.#rig.setInsets(insets);
+    this.#loop.invalidate();
+  }
+
+  fit(glide = true): void {
+    this.#rig.fit(1, glide);
+    this.#loop.invalidate();
+  }
+
+  /** What the canvas shows, on a colour of your choice (default: see-through). */
+  snapshot(background?: string): Promise<Blob> {
+    this.#render();
+    const copy = document.createElement('canvas');
+    copy.width = this.canvas.width;
+    copy.height = this.canvas.height;
+    const pen = copy.getContext('2d');
+    if (pen && background) {
+      pen.fillStyle = background;
+      pen.fillRect(0, 0, copy.width, copy.height);
+    }
+    pen?.drawImage(this.canvas, 0, 0);
+    return new Promise((resolve, reject) =>
+      copy.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The picture could not be made.')))),
+    );
+  }
+
+  dispose(): void {
+    this.#loop.pause();
+    this.#off.abort();
+    this.clear();
+    this.#rig.dispose();
+    this.#stage.dispose();
+    for (const material of [this.#clay, this.#facets, this.#ink]) material.dispose();
+    this.#renderer.dispose();
+  }
+
+  #paint(): void {
+    const painted = this.#surface?.hasColors ?? false;
+    for (const material of [this.#clay, this.#facets]) {
+      if (material.vertexColors !== painted) material.needsUpdate = true;
+      material.vertexColors = painted;
+      material.color.set(painted ? '#ffffff' : this.#theme.clay);
+      material.sheenColor.set(this.#theme.sky);
+    }
+    this.#ink.color.set(this.#theme.wire);
+    this.#ink.opacity = this.#theme.wireOpacity;
+  }
+
+  #measure(mesh: Mesh): void {
+    const { center, scale } = this.#surface!.frame;
+    const extent = [0, 0, 0];
+    for (let i = 0; i < mesh.positions.length; i++) {
+      const axis = i % 3;
+      extent[axis] = Math.max(extent[axis]!, 2 * Math.abs(mesh.positions[i]! - center[axis]!) * scale);
+    }
+    this.#stage.setFootprint([extent[0]!, this.#zUp ? extent[1]! : extent[2]!]);
+  }
+
+  #changed(): void {
+    if (this.#surface) this.#stage.placeFloor(this.#surface.lowest(this.#zUp ? 2 : 1));
+    this.#renderer.shadowMap.needsUpdate = true;
+    this.#loop.invalidate();
+  }
+
+  #draw(now: number): void {
+    if (this.#morph && this.#surface) {
+      if (!this.#morph.write(now, this.#surface.drawn)) this.#morph = null;
+      this.#surface.touch();
+      this.#changed();
+    }
+    if (this.#rig.update(now)) this.#loop.invalidate();
+    this.#render();
+  }
+
+  #render(): void {
+    this.#drawings++;
+    this.#renderer.render(this.#scene, this.#rig.camera);
+  }
+
+  #watchContext(tell: (lost: boolean) => void): void {
+    const { signal } = this.#off;
+    this.canvas.addEventListener(
+      'webglcontextlost',
+      (event) => {
+        event.preventDefault();
+        this.#loop.pause();
+        tell(true);
+      },
+      { signal },
+    );
+    this.canvas.addEventListener(
+      'webglcontextrestored',
+      () => {
+        this.#renderer.shadowMap.needsUpdate = true;
+        this.#loop.resume();
+        tell(false);
+      },
+      { signal },
+    );
+  }
+}
+
+function webGlRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
+  try {
+    return new WebGLRenderer({ canvas, antialias: true, alpha: true });
+  } catch {
+    throw new Error(
+      'This browser cannot draw 3D here (WebGL is off or missing). Turn on hardware acceleration or try another browser; ' +
+        'shaping and export still work.',
+    );
+  }
+}

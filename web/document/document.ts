@@ -1,0 +1,64 @@
+import type { Outcome, Solved } from '../../src/engine/protocol.ts';
+import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
+import type { ParameterValues } from '../../src/methods/descriptor.ts';
+
+/** The file as it came. */
+export interface Source {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly name: string;
+  /** By the bytes: 'obj', 'glb', … */
+  readonly format: string;
+}
+
+/** What a run left. */
+export interface Result {
+  /** #P×3 in the file's frame and order. */
+  readonly positions: Float64Array<ArrayBuffer>;
+  /**
+   * `settled` came from the file's own shape and is what anyone else gets from the same file and settings; `preview` followed
+   * a moving slider and still has to be settled before it leaves the page; `stopped` is what a person chose to keep.
+   */
+  readonly state: 'settled' | 'preview' | 'stopped';
+  readonly outcome: Outcome;
+  readonly iterations: number;
+  readonly energy: readonly number[];
+  readonly milliseconds: number;
+}
+
+/** All that undo brings back. Immutable: a change is a new document. The camera is not in it. */
+export interface WhittleDocument {
+  readonly source: Source;
+  readonly mesh: Mesh;
+  readonly report: MeshReport;
+  readonly method: string;
+  readonly parameters: ParameterValues;
+  readonly result: Result | null;
+}
+
+/** What is to be seen of a document. */
+export function shownPositions({ mesh, result }: WhittleDocument): Float64Array<ArrayBuffer> {
+  return result?.positions ?? mesh.positions;
+}
+
+export function resultOf(solved: Solved, state: Result['state']): Result {
+  const { positions, outcome, iterations, energy, milliseconds } = solved;
+  return {
+    positions,
+    state,
+    outcome,
+    iterations,
+    energy,
+    milliseconds: milliseconds.prepare + milliseconds.solve,
+  };
+}
+
+export function sameParameters(a: ParameterValues, b: ParameterValues): boolean {
+  const names = new Set([...Object.keys(a), ...Object.keys(b)]);
+  return [...names].every((name) => a[name] === b[name]);
+}
+
+/** The same document with other values: what it shows is now only a preview of them. */
+export function withParameters(document: WhittleDocument, parameters: ParameterValues): WhittleDocument {
+  const { result } = document;
+  return { ...document, parameters, result: result && { ...result, state: 'preview' } };
+}

@@ -1,0 +1,69 @@
+import type { WhittleDocument } from './document.ts';
+import { emptyHistory, type History } from './history.ts';
+
+export type Activity =
+  | { readonly kind: 'idle' }
+  | { readonly kind: 'opening'; readonly name: string }
+  | { readonly kind: 'writing'; readonly name: string }
+  | {
+      readonly kind: 'solving';
+      /** Following a gesture, or settling what it left. */
+      readonly live: boolean;
+      readonly iteration: number;
+      readonly energy: readonly number[];
+    };
+
+/** Something to tell a person. It stays until it is dismissed or replaced. */
+export interface Notice {
+  readonly tone: 'error' | 'note';
+  readonly text: string;
+  readonly action?: { readonly label: string; readonly run: () => void };
+}
+
+export type Shading = 'smooth' | 'flat' | 'wire';
+export type Theme = 'auto' | 'light' | 'dark';
+
+/** How one looks at the document; never undone. */
+export interface Look {
+  readonly shading: Shading;
+  readonly theme: Theme;
+  /** The file's own shape is shown in place of the result. */
+  readonly comparing: boolean;
+}
+
+export interface State {
+  readonly document: WhittleDocument | null;
+  readonly history: History;
+  readonly activity: Activity;
+  readonly notice: Notice | null;
+  readonly look: Look;
+}
+
+export type Listener = (state: State) => void;
+
+/** The page's one state and those who look at it. */
+export class Store {
+  #state: State = {
+    document: null,
+    history: emptyHistory,
+    activity: { kind: 'idle' },
+    notice: null,
+    look: { shading: 'smooth', theme: 'auto', comparing: false },
+  };
+  readonly #listeners = new Set<Listener>();
+
+  get state(): State {
+    return this.#state;
+  }
+
+  set(change: Partial<State>): void {
+    this.#state = { ...this.#state, ...change };
+    for (const listener of this.#listeners) listener(this.#state);
+  }
+
+  /** Calls the listener on every change from now on, until the returned function is called. */
+  subscribe(listener: Listener): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+}

@@ -1,0 +1,56 @@
+import { createBrowserEngine } from '../src/engine/in-browser.ts';
+import { Viewer } from '../src/viewer/viewer.ts';
+import { Display } from './document/display.ts';
+import { Runner } from './document/runner.ts';
+import { samples } from './document/samples.ts';
+import { Store } from './document/store.ts';
+import { Workspace } from './document/workspace.ts';
+import './panels/all.ts';
+import type { PageElement } from './panels/page-element.ts';
+import './styles/all.css';
+import { listenForDrops } from './tools/drop.ts';
+import { followLayout } from './tools/layout.ts';
+import { Page } from './tools/page.ts';
+import { listenForShortcuts } from './tools/shortcuts.ts';
+import { followTheme } from './tools/theme.ts';
+
+const element = (selector: string) => document.querySelector<HTMLElement>(selector)!;
+
+const store = new Store();
+const viewer = openViewer();
+const lessMotion = matchMedia('(prefers-reduced-motion: reduce)');
+const display = new Display(viewer, () => (lessMotion.matches ? 0 : 260), nextFrame);
+const workspace = new Workspace(store, new Runner(createBrowserEngine()), display);
+const page = new Page({ store, workspace, display, viewer });
+
+followTheme(store, viewer);
+for (const panel of document.querySelectorAll<PageElement>('[data-panel]')) panel.page = page;
+if (viewer) followLayout(viewer, element('#stage'), element('.sheet'), element('whittle-viewbar'));
+listenForDrops(page);
+listenForShortcuts(page, () => element('whittle-help').dispatchEvent(new Event('open')));
+void page.openSample(samples[0]!);
+
+function openViewer(): Viewer | null {
+  try {
+    return new Viewer(element('#canvas') as HTMLCanvasElement, {
+      onContext: (lost) =>
+        store.set({
+          notice: lost
+            ? {
+                tone: 'note',
+                text: 'The graphics card was taken away for a moment; the picture comes back by itself.',
+              }
+            : null,
+        }),
+    });
+  } catch (thrown) {
+    store.set({ notice: { tone: 'error', text: (thrown as Error).message } });
+    return null;
+  }
+}
+
+/** Resolves once what was drawn last is on the screen; at once where nothing is animated (a hidden tab). */
+function nextFrame(): Promise<void> {
+  if (document.hidden) return Promise.resolve();
+  return new Promise((resolve) => requestAnimationFrame(() => resolve()));
+}

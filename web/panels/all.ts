@@ -1,0 +1,6 @@
+import './help.ts';
+import './notice.ts';
+import './panel.ts';
+import './status.ts';
+import './topbar.ts';
+import './viewbar.ts';

@@ -1,0 +1,118 @@
+import { html, LitElement, nothing } from 'lit';
+import type { ChoiceParameter, NumberParameter, ParameterDescriptor } from '../../src/methods/descriptor.ts';
+import { fromTravel, spoken, toTravel, travel } from './slider-scale.ts';
+
+/** Where a gesture is. `preview` comes any number of times, then one `commit`. */
+export interface ParameterChange {
+  readonly name: string;
+  readonly value: number | string;
+  readonly phase: 'preview' | 'commit';
+}
+
+/** The control that a parameter's descriptor asks for. Fires `parameter` with a {@link ParameterChange}. */
+export class WhittleParameter extends LitElement {
+  static override properties = { parameter: { attribute: false }, value: { attribute: false } };
+  declare parameter: ParameterDescriptor;
+  declare value: number | string;
+  /** A key is down: what it repeats is one gesture until it is let go. */
+  #keyDown = false;
+  #pending: number | null = null;
+
+  protected override createRenderRoot(): this {
+    return this;
+  }
+
+  protected override render() {
+    const { parameter } = this;
+    if (!parameter || parameter.kind === 'handles') return nothing;
+    if (parameter.kind === 'choice') return this.#choice(parameter);
+    return parameter.slider ? this.#slider(parameter) : this.#field(parameter);
+  }
+
+  protected override updated(): void {
+    const { parameter } = this;
+    if (parameter?.kind !== 'number' && parameter?.kind !== 'integer') return;
+    const range = this.querySelector<HTMLInputElement>('input[type=range]');
+    if (!range || !parameter.slider) return;
+    range.style.setProperty('--share', String(toTravel(parameter, Number(this.value)) / travel));
+  }
+
+  #slider(parameter: NumberParameter) {
+    const id = `parameter-${parameter.name}`;
+    return html`
+      <div class="slider">
+        <label for=${id}>${parameter.label}</label>
+        ${this.#number(parameter, `${parameter.label}, exact value`)}
+        <input
+          id=${id} type="range" min="0" max=${travel} step="1" aria-describedby="${id}-doc"
+          aria-valuetext=${spoken(Number(this.value))} .value=${String(toTravel(parameter, Number(this.value)))}
+          @input=${this.#slid} @change=${this.#let} @keydown=${this.#press} @keyup=${this.#lift} @blur=${this.#lift}
+        />
+        <span class="hidden" id="${id}-doc">${parameter.doc}</span>
+      </div>
+    `;
+  }
+
+  #field(parameter: NumberParameter) {
+    return html`<label class="field" title=${parameter.doc}><span>${parameter.label}</span>${this.#number(parameter)}</label>`;
+  }
+
+  #number(parameter: NumberParameter, label?: string) {
+    return html`<input
+      class="number" type="number" inputmode="decimal" min=${parameter.min} max=${parameter.max} step="any"
+      aria-label=${label ?? nothing} .value=${spoken(Number(this.value))} @change=${this.#typed}
+    />`;
+  }
+
+  #choice(parameter: ChoiceParameter) {
+    return html`
+      <label class="field" title=${parameter.doc}><span>${parameter.label}</span>
+        <select .value=${String(this.value)} @change=${(event: Event) => this.#fire((event.target as HTMLSelectElement).value, 'commit')}>
+          ${parameter.choices.map((choice) => html`<option value=${choice} ?selected=${choice === this.value}>${choice}</option>`)}
+        </select>
+      </label>
+    `;
+  }
+
+  readonly #slid = (event: Event): void => this.#fire(this.#read(event), 'preview');
+
+  readonly #let = (event: Event): void => {
+    const value = this.#read(event);
+    if (this.#keyDown) this.#pending = value;
+    else this.#fire(value, 'commit');
+  };
+
+  readonly #press = (event: KeyboardEvent): void => {
+    if (/^(Arrow|Page|Home|End)/.test(event.key)) this.#keyDown = true;
+  };
+
+  readonly #lift = (): void => {
+    this.#keyDown = false;
+    if (this.#pending !== null) this.#fire(this.#pending, 'commit');
+    this.#pending = null;
+  };
+
+  readonly #typed = (event: Event): void => {
+    const input = event.target as HTMLInputElement;
+    const { min, max, kind } = this.parameter as NumberParameter;
+    const typed = input.valueAsNumber;
+    if (Number.isNaN(typed)) {
+      input.value = spoken(Number(this.value));
+      return;
+    }
+    const value = Math.min(max, Math.max(min, kind === 'integer' ? Math.round(typed) : typed));
+    input.value = spoken(value);
+    this.#fire(value, 'commit');
+  };
+
+  #read(event: Event): number {
+    return fromTravel(this.parameter as NumberParameter, (event.target as HTMLInputElement).valueAsNumber);
+  }
+
+  #fire(value: number | string, phase: ParameterChange['phase']): void {
+    const detail: ParameterChange = { name: this.parameter.name, value, phase };
+    this.dispatchEvent(new CustomEvent('parameter', { detail, bubbles: true }));
+  }
+}
+
+customElements.define('whittle-parameter', WhittleParameter);

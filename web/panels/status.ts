@@ -1,0 +1,53 @@
+import { html, nothing } from 'lit';
+import type { State } from '../document/store.ts';
+import { PageElement } from './page-element.ts';
+import { sparkline } from './sparkline.ts';
+
+/** One line about what is happening, with a way to stop it. */
+export class WhittleStatus extends PageElement {
+  #spoken = '';
+
+  protected override stateChanged(state: State): void {
+    const { activity } = state;
+    this.dataset.activity = activity.kind;
+    this.#spoken = activity.kind === 'solving' ? 'Carving' : sentence(state);
+  }
+
+  protected override render() {
+    const { activity, document } = this.state;
+    const busy = activity.kind !== 'idle';
+    const energy = activity.kind === 'solving' ? activity.energy : (document?.result?.energy ?? []);
+    return html`
+      <span class="pulse" aria-hidden="true"></span>
+      <span class="sentence" aria-hidden="true">${sentence(this.state)}</span>
+      ${energy.length > 1 ? html`<span title="Energy, falling">${sparkline(energy)}</span>` : nothing}
+      ${busy ? html`<button type="button" class="button small" data-act="cancel" title="Stop and keep what there is (Esc)" @click=${() => this.page.workspace.cancel()}>Cancel</button>` : nothing}
+      <span class="hidden" role="status">${this.#spoken}</span>
+    `;
+  }
+}
+
+function sentence({ activity, document }: State): string {
+  switch (activity.kind) {
+    case 'opening':
+      return `Opening ${activity.name}…`;
+    case 'writing':
+      return `Writing ${activity.name}…`;
+    case 'solving':
+      if (!activity.live) return 'Settling…';
+      return activity.iteration > 0 ? `Carving… iteration ${activity.iteration}` : 'Carving…';
+    default:
+      return rest(document?.result ?? null);
+  }
+}
+
+function rest(result: NonNullable<State['document']>['result']): string {
+  if (!result) return 'As it came';
+  const many = `${result.iterations} ${result.iterations === 1 ? 'iteration' : 'iterations'}`;
+  if (result.state === 'stopped') return `Stopped after ${many}; this shape is kept`;
+  if (result.outcome === 'iteration-limit') return `Stopped at the limit of ${many}`;
+  const seconds = result.milliseconds / 1000;
+  return `Carved in ${many}, ${seconds < 10 ? seconds.toFixed(2) : seconds.toFixed(0)} s`;
+}
+
+customElements.define('whittle-status', WhittleStatus);
