@@ -94,8 +94,8 @@ class WorkerEngine implements Engine {
 
   async solve(mesh: Mesh, settings: SolveSettings, options: SolveOptions = {}): Promise<Solved> {
     const connection = this.#connect();
-    await this.#load(connection, mesh);
     const key = this.#keyOf(mesh);
+    await this.#load(connection, mesh);
     const { id, answer } = connection.ask({ type: 'solve', key, settings }, options.onFrame);
     const cancel = () => connection.cancel(id);
     if (options.signal?.aborted) cancel();
@@ -108,10 +108,15 @@ class WorkerEngine implements Engine {
   }
 
   release(mesh: Mesh): void {
-    const key = this.#keys.get(mesh);
-    if (key === undefined || !this.#connection?.loaded.delete(key)) return;
-    // Nobody waits for this one; a worker that dies meanwhile has freed the mesh as well.
-    this.#connection.ask({ type: 'unload', key }).answer.catch(() => {});
+    const connection = this.#connection;
+    const key = this.#keys.get(mesh) ?? 0;
+    const loading = connection?.loaded.get(key);
+    if (!connection || !loading) return;
+    connection.loaded.delete(key);
+    // Should the mesh come back, its new load must not meet this unload.
+    this.#keys.delete(mesh);
+    // Nobody waits for this; a worker that refused the mesh or dies meanwhile holds nothing.
+    loading.then(() => connection.ask({ type: 'unload', key }).answer).catch(() => {});
   }
 
   dispose(): void {

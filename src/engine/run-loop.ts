@@ -3,6 +3,7 @@ import type { FrameGate } from './frames.ts';
 import type { Hop } from './hop.ts';
 import type { LoadedMesh } from './loaded-mesh.ts';
 import type { Outcome, Solved, SolveSettings } from './protocol.ts';
+import { warningsOf } from './warnings.ts';
 
 /** Messages get in at least this often, single steps permitting. Shorter would slow small meshes. */
 const hopMilliseconds = 8;
@@ -14,7 +15,8 @@ export class Run {
   /** Settles (never rejects) when nothing of this run will touch the mesh any more. */
   readonly ended: Promise<void>;
   readonly end: () => void;
-  #stop: 'no' | 'cancelled' | 'superseded' = 'no';
+  #isCancelled = false;
+  #isSuperseded = false;
 
   constructor(settings: SolveSettings, frames: FrameGate) {
     this.settings = settings;
@@ -26,21 +28,22 @@ export class Run {
     this.end = end;
   }
 
-  get isStopped(): boolean {
-    return this.#stop !== 'no';
+  /** Somebody wants it to end, now. */
+  get isCancelled(): boolean {
+    return this.#isCancelled;
   }
 
+  /** A newer run of the same mesh waits. */
   get isSuperseded(): boolean {
-    return this.#stop === 'superseded';
+    return this.#isSuperseded;
   }
 
   cancel(): void {
-    if (!this.isStopped) this.#stop = 'cancelled';
+    this.#isCancelled = true;
   }
 
-  /** A newer run of the same mesh wins. */
   supersede(): void {
-    this.#stop = 'superseded';
+    this.#isSuperseded = true;
   }
 }
 
@@ -60,21 +63,35 @@ export async function runToEnd(
   const began = performance.now();
   // A cancel or a newer request may already wait; preparing can take long.
   await hop();
+  const isSkipped = run.isCancelled || run.isSuperseded;
   // The newer run may start from 'current' and means what this one would have made of it.
   if (run.isSuperseded && start === 'rest') mesh.restart();
-  if (!run.isStopped) mesh.prepare(method, parameters, start === 'rest');
+  if (!isSkipped) mesh.prepare(method, parameters, start === 'rest');
   const prepared = performance.now();
 
   const energy: number[] = [];
-  // The core answers a limit of none with a step that is no iteration.
-  const isNone = parameters.maxIterations === 0 && !run.isStopped;
-  const outcome = isNone ? 'iteration-limit' : await iterate(mesh, run, hop, energy);
+  const outcome = isSkipped ? 'cancelled' : await iterate(mesh, parameters, run, hop, energy);
   const positions = mesh.copyPositions();
   const milliseconds = { prepare: prepared - began, solve: performance.now() - prepared };
-  return { outcome, iterations: energy.length, energy, positions, milliseconds, warnings: warningsOf(mesh) };
+  return {
+    outcome,
+    iterations: energy.length,
+    energy,
+    positions,
+    milliseconds,
+    warnings: warningsOf(mesh.report),
+  };
 }
 
-async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): Promise<Outcome> {
+async function iterate(
+  mesh: LoadedMesh,
+  { maxIterations }: ParameterValues,
+  run: Run,
+  hop: Hop,
+  energy: number[],
+): Promise<Outcome> {
+  // The core would answer with a step that is no iteration.
+  if (maxIterations === 0) return 'iteration-limit';
   let lastHop = Number.NEGATIVE_INFINITY;
   for (;;) {
     const now = performance.now();
@@ -82,17 +99,11 @@ async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): 
       await hop();
       lastHop = performance.now();
     }
-    if (run.isStopped) return 'cancelled';
+    // What is prepared makes one step even if it is overtaken: else a fast drag on a large mesh would show nothing.
+    if (run.isCancelled || (run.isSuperseded && energy.length > 0)) return 'cancelled';
     const step = mesh.step();
     energy.push(step.energy);
     if (step.outcome !== 'running') return step.outcome;
     run.frames.add(energy.length, step, performance.now());
   }
-}
-
-function warningsOf({ report }: LoadedMesh): string[] {
-  const { isolatedVertices: isolated } = report;
-  if (isolated === 0) return [];
-  const which = isolated === 1 ? '1 vertex belongs' : `${isolated} vertices belong`;
-  return [`${which} to no face and stays where it is.`];
 }

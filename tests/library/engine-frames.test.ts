@@ -45,8 +45,9 @@ test('a page that draws slowly gets fewer frames and does not slow the run', asy
   const solved = await engine.solve(tetrahedron(), settings(120, true), { onFrame });
   expect(atOnce).toBe(1);
   expect(seen).toBeGreaterThan(1);
-  expect(seen).toBeLessThan(20);
-  expect(solved.milliseconds.solve).toBeLessThan(2 * 120 + 200);
+  expect(seen).toBeLessThanOrEqual(solved.milliseconds.solve / 50 + 2);
+  // A run that waited for the page would take 120 times 50 ms.
+  expect(solved.milliseconds.solve).toBeLessThan(3000);
 });
 
 test('a page that never draws gets one frame', async () => {
@@ -62,9 +63,11 @@ test('a page that never draws gets one frame', async () => {
 
 test('progress without positions comes at most every 100 ms', async () => {
   const frames: Frame[] = [];
-  await engine.solve(tetrahedron(), settings(350, false), { onFrame: (frame) => void frames.push(frame) });
+  const solved = await engine.solve(tetrahedron(), settings(350, false), {
+    onFrame: (frame) => void frames.push(frame),
+  });
   expect(frames.length).toBeGreaterThanOrEqual(2);
-  expect(frames.length).toBeLessThanOrEqual(10);
+  expect(frames.length).toBeLessThanOrEqual(solved.milliseconds.solve / 100 + 1);
   expect(frames.every(({ positions }) => positions === undefined)).toBe(true);
 });
 

@@ -1,7 +1,7 @@
 import { afterEach, expect, test } from 'vitest';
 import { createEngine, type Engine } from '../../src/engine/client.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
-import type { SolveSettings } from '../../src/engine/protocol.ts';
+import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import { FakeCore, type FakeOptions, failLambda, fakeServices, tetrahedron } from './fake-core.ts';
 
@@ -128,6 +128,32 @@ test('the latest request wins, and every earlier one keeps what it has', async (
   expect(core.log.filter((line) => line === 'prepare')).toHaveLength(2);
 });
 
+test('a run from the current shape means what the run it overtakes would have begun with', async () => {
+  start();
+  const mesh = tetrahedron();
+  await engine.solve(mesh, settings({ maxIterations: 2, tolerance: 0 }));
+  const overtaken = engine.solve(mesh, settings(endless));
+  const latest = engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 }, { start: 'current' }));
+  expect(await overtaken).toMatchObject({ outcome: 'cancelled', iterations: 0 });
+  expect((await latest).positions[3]).toBe(6);
+});
+
+test('requests that come faster than they can be prepared still make headway', async () => {
+  start({ prepareMilliseconds: 12 });
+  const mesh = tetrahedron();
+  await engine.inspect(mesh);
+  const runs: Promise<Solved>[] = [];
+  for (let request = 0; request < 30; request++) {
+    runs.push(engine.solve(mesh, settings(endless, { start: 'current' })));
+    await new Promise((resolve) => setTimeout(resolve, 2));
+  }
+  runs.push(engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 })));
+  const iterations = (await Promise.all(runs)).map((solved) => solved.iterations);
+  const prepared = core.log.filter((line) => line === 'prepare').length;
+  expect(prepared).toBeGreaterThan(2);
+  expect(iterations.filter((count) => count > 0)).toHaveLength(prepared);
+});
+
 test('a request that is refused leaves the run before it alone', async () => {
   start({ stepMilliseconds: 2 });
   const mesh = tetrahedron();
@@ -152,10 +178,11 @@ test('a cancelled run answers within 100 ms with what it has', async () => {
   const stop = new AbortController();
   const running = engine.solve(mesh, settings(endless), { signal: stop.signal });
   await new Promise((resolve) => setTimeout(resolve, 60));
-  const asked = performance.now();
+  const stepsSoFar = core.steps;
   stop.abort();
   const solved = await running;
-  expect(performance.now() - asked).toBeLessThan(100);
+  // Counted in steps: the machine that runs this may be busy with other things.
+  expect(core.steps - stepsSoFar).toBeLessThan(100 / 3 / 2);
   expect(solved.outcome).toBe('cancelled');
   expect(solved.iterations).toBeGreaterThan(0);
   expect(solved.positions[3]).toBeLessThan(8);
@@ -205,5 +232,17 @@ test('a released mesh is freed, its run stopped, and it can come back', async ()
   engine.release(mesh);
   expect((await running).outcome).toBe('cancelled');
   await engine.inspect(mesh);
+  expect(core).toMatchObject({ opened: 2, freed: 1 });
+});
+
+test('a mesh that is released while it loads is freed all the same', async () => {
+  start();
+  const mesh = tetrahedron();
+  const solving = engine.solve(mesh, settings(endless));
+  engine.release(mesh);
+  const again = engine.inspect(mesh);
+  expect((await solving).outcome).toBe('cancelled');
+  await again;
+  expect((await engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 }))).iterations).toBe(1);
   expect(core).toMatchObject({ opened: 2, freed: 1 });
 });

@@ -11,6 +11,8 @@ export const failLambda = 67;
 export interface FakeOptions {
   /** Each step computes (blocks) this long. */
   readonly stepMilliseconds?: number;
+  /** So does preparing. */
+  readonly prepareMilliseconds?: number;
 }
 
 /**
@@ -34,7 +36,7 @@ export class FakeCore implements Core {
     return new FakeSession(this);
   }
 
-  methods(): unknown {
+  methods(): ReturnType<Core['methods']> {
     return [];
   }
 
@@ -90,6 +92,8 @@ class FakeSession implements CoreSession {
 
   prepare(): void {
     this.#core.log.push('prepare');
+    const until = performance.now() + (this.#core.options.prepareMilliseconds ?? 0);
+    while (performance.now() < until);
   }
 
   step(): Step {

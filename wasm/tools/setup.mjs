@@ -1,4 +1,4 @@
-// Set-up of a checkout, run by every README command: node packages, compilers, wasm, command line, samples. Needs nothing
+// Set-up of a checkout, run by every README command: node packages, compilers, wasm, command line. Needs nothing
 // but Node; does only what is missing or stale, and says so only then.
 import { spawnSync } from 'node:child_process';
 import { existsSync, symlinkSync } from 'node:fs';
@@ -28,7 +28,6 @@ buildWasm();
 if (purpose === 'test') buildTests();
 if (purpose === 'bench') buildBenchmark();
 buildCommandLine();
-buildSamples();
 
 function requireNode() {
   const [major, minor] = process.versions.node.split('.').map(Number);
@@ -58,14 +57,4 @@ function buildCommandLine() {
   spawnSync('chmod', ['+x', 'dist/cli/main.js']);
   if (!existsSync(link)) symlinkSync('../../dist/cli/main.js', link);
   markFresh('cli', state);
-}
-
-/** Sample meshes come from a development dependency (CC0) and from our own generator. */
-function buildSamples() {
-  const script = 'public/tools/samples.mjs';
-  if (!existsSync(script)) return;
-  const state = fingerprint([script, 'package-lock.json']);
-  if (existsSync('public/samples') && isFresh('samples', state)) return;
-  runQuietly('Making the sample meshes', process.execPath, [script]);
-  markFresh('samples', state);
 }

@@ -1,4 +1,5 @@
 import { viewOf } from '../bytes.ts';
+import { fitsFloat32, unfitPosition } from '../fit.ts';
 import { newNormals } from '../normals.ts';
 import { refusal } from '../refuse.ts';
 import { hasMoved, normalTexts, positionTexts, TextPatch } from '../text-patch.ts';
@@ -23,7 +24,7 @@ export function patchPly(
   if (normals) columns.push(...plyNormal.map((axis) => columnOf(file, axis, name)));
   return file.header.encoding === 'ascii'
     ? patchText(source, file, positions, normals, columns)
-    : patchBinary(source, file, positions, normals, columns);
+    : patchBinary(source, file, positions, normals, columns, name);
 }
 
 function anyMoved(before: Float64Array, after: Float64Array): boolean {
@@ -39,7 +40,7 @@ function newPlyNormals(file: PlyFile, positions: Float64Array): Float64Array | u
 }
 
 function propertyOf(file: PlyFile, property: string): PlyProperty | undefined {
-  return file.vertex.properties.findLast((candidate) => candidate.name === property);
+  return file.vertex.properties.findLast((candidate) => candidate.name === property && !candidate.countKind);
 }
 
 /** Index of a property among the vertex's properties. */
@@ -83,6 +84,7 @@ function patchBinary(
   positions: Float64Array,
   normals: Float64Array | undefined,
   columns: readonly number[],
+  name: string,
 ): Uint8Array<ArrayBuffer> {
   const result = new Uint8Array(source);
   const view = viewOf(result);
@@ -91,7 +93,8 @@ function patchBinary(
   const set = (slot: number, row: number, value: number) => {
     const at = row + byteOffset(properties, columns[slot]);
     if (properties[columns[slot]].kind === 'float64') view.setFloat64(at, value, little);
-    else view.setFloat32(at, value, little);
+    else if (fitsFloat32(value)) view.setFloat32(at, value, little);
+    else throw unfitPosition(name, file.rowOffsets.indexOf(row), value);
   };
   for (let p = 0; p < file.rowOffsets.length; p++) {
     const row = file.rowOffsets[p];

@@ -64,6 +64,7 @@ class PlyScan {
       throw refusal('malformed-file', this.#name, 'header', sentence);
     }
     for (const element of elements) {
+      if (element.properties.length === 0) continue; // takes no bytes, however many there are said to be
       this.#checkCount(element);
       if (element === vertex) this.#readVertices(element);
       else if (element.name === 'face') this.#readFaces(element);
@@ -96,7 +97,7 @@ class PlyScan {
     const source = this.#source;
     let least = 0;
     for (const { kind, countKind } of properties) least += source.leastBytes(countKind ?? kind, count);
-    if (properties.length > 0 && least > source.bytesLeft + properties.length) {
+    if (least > source.bytesLeft + properties.length) {
       const sentence = `the header promises ${counted(count, `"${name}" element`)}, more than the file can hold; it was cut off. Get it again.`;
       throw refusal('truncated-file', this.#name, 'header', sentence);
     }
@@ -174,7 +175,6 @@ class PlyScan {
   }
 
   #skipElement({ count, properties }: PlyElement): void {
-    if (properties.length === 0) return;
     for (let i = 0; i < count; i++) for (const property of properties) this.#skipValue(property);
   }
 

@@ -1,0 +1,108 @@
+import type { Mesh } from '../mesh/mesh.ts';
+import { weld } from '../mesh/weld.ts';
+import { plainBytes } from './bytes.ts';
+import { fitsFloat32, unfitPosition } from './fit.ts';
+import { type Format, formats } from './formats.ts';
+import { handlers } from './handlers.ts';
+import { type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
+import { triangulate } from './polygon.ts';
+import { counted, refusal } from './refuse.ts';
+import { recognise } from './sniff.ts';
+
+export { type Format, fileNameEndings, formatForFileName, formats, isFormat } from './formats.ts';
+
+export interface ReadMesh {
+  readonly mesh: Mesh;
+  readonly format: Format;
+  /** Sentences about what was skipped or simplified. */
+  readonly warnings: string[];
+}
+
+/** Larger files are refused: byte offsets and lengths must fit into 31 bits. */
+const mostBytes = 2 ** 31 - 1;
+
+/**
+ * Understands a mesh file, by its bytes alone.
+ *
+ * @param name for messages only
+ * @throws WhittleError empty-file, unknown-format, truncated-file, malformed-file, unsupported-file, no-faces,
+ *   index-out-of-range, not-finite or too-large; never anything else
+ */
+export function readMesh(bytes: Uint8Array, name: string): ReadMesh {
+  const { format, file } = parse(bytes, name);
+  const { positions, colors, hasUvs } = file;
+  const { triangles, roughFaces } = triangulate(positions, file.faces);
+  const warnings = [...file.warnings];
+  if (roughFaces > 0) warnings.push(`Split ${counted(roughFaces, 'very large polygon')} roughly.`);
+  return { mesh: { positions, triangles, hasUvs, ...(colors ? { colors } : {}) }, format, warnings };
+}
+
+/**
+ * Gives a file back with other positions.
+ *
+ * In the source's own format only positions and normals change, and of these only those that are not what they were;
+ * the same positions give the same bytes. Another format gets a new file: positions, faces, colours if it has them.
+ * Binary STL, `float` PLY and glTF hold 32-bit numbers, so positions are rounded there; text formats are exact.
+ *
+ * @param positions #P×3 in the order of `readMesh`
+ * @throws WhittleError as `readMesh`; bad-parameter if the number of positions is another; not-finite if one is not
+ *   finite, or not in 32 bits where the format has 32; unsupported-file if the source cannot hold the new shape
+ */
+export function writeMesh(
+  source: Uint8Array,
+  name: string,
+  format: Format,
+  positions: Float64Array,
+): Uint8Array<ArrayBuffer> {
+  if (!formats.includes(format)) {
+    throw refusal('unknown-format', name, '', `"${format}" is not one of ${formats.join(', ')}.`);
+  }
+  const bytes = plainBytes(source);
+  const parsed = parse(bytes, name);
+  checkPositions(parsed.file, format, name, positions);
+  if (parsed.format === format) return parsed.patch(positions);
+  return handlers[format].write(shapeOf(parsed.file, parsed.format, positions));
+}
+
+interface Parsed {
+  readonly format: Format;
+  readonly file: ParsedFile;
+  patch(positions: Float64Array): Uint8Array<ArrayBuffer>;
+}
+
+function parse(source: Uint8Array, name: string): Parsed {
+  const bytes = plainBytes(source);
+  if (bytes.length > mostBytes) {
+    throw refusal('too-large', name, '', 'files above 2 GB are not read; split the model.');
+  }
+  const format = recognise(bytes, name);
+  return { format, ...handlers[format].read(bytes, name) };
+}
+
+function checkPositions(file: ParsedFile, format: Format, name: string, positions: Float64Array): void {
+  if (positions.length !== file.positions.length) {
+    const wanted = counted(file.positions.length / 3, 'position');
+    const sentence = `it has ${wanted}, but ${positions.length / 3} were given; read it again.`;
+    throw refusal('bad-parameter', name, '', sentence);
+  }
+  // A PLY may hold doubles and a glTF may scale, so these two look again when they patch.
+  const is32Bit = format === 'stl-binary' || format === 'glb' || format === 'gltf';
+  for (let i = 0; i < positions.length; i++) {
+    const value = positions[i];
+    const isNew = value !== file.positions[i];
+    if (isNew && !(is32Bit ? fitsFloat32(value) : Number.isFinite(value))) {
+      throw unfitPosition(name, Math.floor(i / 3), value);
+    }
+  }
+}
+
+/** The shape for a new file. Corners of an STL are joined where they are in the same place. */
+function shapeOf(file: ParsedFile, format: Format, positions: Float64Array): Shape {
+  const { triangles } = triangulate(file.positions, file.faces);
+  if (format === 'stl-binary' || format === 'stl-ascii') {
+    const welded = weld(positions, triangles);
+    return { ...welded, faces: triangleFaces(welded.triangles) };
+  }
+  const { faces, colors } = file;
+  return { positions, faces, triangles, ...(colors ? { colors } : {}) };
+}
