@@ -1,6 +1,5 @@
 import {
   BackSide,
-  type Camera,
   DoubleSide,
   Group,
   LineBasicMaterial,
@@ -9,30 +8,22 @@ import {
   MeshStandardMaterial,
   PCFShadowMap,
   Scene,
-  WebGLRenderer,
 } from 'three';
 import type { Mesh } from '../mesh/mesh.ts';
 import { CameraRig, type Insets } from './camera-rig.ts';
 import { Morph } from './morph.ts';
-import { Pace } from './pace.ts';
 import { RenderLoop } from './render-loop.ts';
+import { type Renderer, webGlRenderer } from './renderer.ts';
+import { Screen } from './screen.ts';
 import { lightTheme, Stage, type StageTheme } from './stage.ts';
 import { Surface } from './surface.ts';
 import { toView } from './view-frame.ts';
 
 export type { Insets } from './camera-rig.ts';
+export type { Renderer } from './renderer.ts';
 export { darkTheme, lightTheme, type StageTheme } from './stage.ts';
 
 export type Shading = 'smooth' | 'flat' | 'wire';
-
-/** What the viewer asks of a renderer; a test gives its own. */
-export interface Renderer {
-  setPixelRatio(ratio: number): void;
-  setSize(width: number, height: number, style: boolean): void;
-  render(scene: Scene, camera: Camera): void;
-  dispose(): void;
-  readonly shadowMap: { enabled: boolean; type: number; autoUpdate: boolean; needsUpdate: boolean };
-}
 
 export interface ViewerOptions {
   readonly createRenderer?: (canvas: HTMLCanvasElement) => Renderer;
@@ -53,18 +44,13 @@ export class Viewer {
   readonly #loop = new RenderLoop((now) => this.#draw(now));
   readonly #clay = new MeshStandardMaterial({
     roughness: 0.62,
-    sheen: 0.35,
-    sheenRoughness: 0.6,
     side: DoubleSide,
   });
   readonly #facets = this.#clay.clone();
   readonly #ink = new LineBasicMaterial({ transparent: true, depthWrite: false });
   readonly #maxPixelRatio: number;
   readonly #off = new AbortController();
-  readonly #pace = new Pace();
-  #size = { width: 1, height: 1, pixelRatio: 1 };
-  #share = 1;
-  #resting: ReturnType<typeof setTimeout> | undefined;
+  readonly #screen: Screen;
   #body: MeshObject | null = null;
   #lines: LineSegments | null = null;
   #surface: Surface | null = null;
@@ -79,6 +65,7 @@ export class Viewer {
     this.canvas = canvas;
     this.#maxPixelRatio = options.maxPixelRatio ?? 2;
     this.#renderer = (options.createRenderer ?? webGlRenderer)(canvas);
+    this.#screen = new Screen(this.#renderer);
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.type = PCFShadowMap;
     this.#renderer.shadowMap.autoUpdate = false;
@@ -159,8 +146,7 @@ export class Viewer {
   }
 
   resize(width: number, height: number, pixelRatio: number): void {
-    this.#size = { width, height, pixelRatio: Math.min(pixelRatio, this.#maxPixelRatio) };
-    this.#sharpen(this.#share);
+    this.#screen.resize(width, height, Math.min(pixelRatio, this.#maxPixelRatio));
     this.#rig.resize(width, height);
     this.#loop.invalidate();
   }
@@ -177,7 +163,7 @@ export class Viewer {
 
   /** What the canvas shows, on a colour of your choice (default: see-through). */
   snapshot(background?: string): Promise<Blob> {
-    this.#sharpen(1);
+    this.#screen.sharpen();
     this.#render();
     const copy = document.createElement('canvas');
     copy.width = this.canvas.width;
@@ -195,7 +181,7 @@ export class Viewer {
 
   dispose(): void {
     this.#loop.pause();
-    clearTimeout(this.#resting);
+    this.#screen.dispose();
     this.#off.abort();
     this.clear();
     this.#rig.dispose();
@@ -231,27 +217,8 @@ export class Viewer {
     this.#loop.invalidate();
   }
 
-  #sharpen(share: number): void {
-    this.#share = share;
-    const { width, height, pixelRatio } = this.#size;
-    this.#renderer.setPixelRatio(pixelRatio * share);
-    this.#renderer.setSize(width, height, false);
-  }
-
-  /** Fewer pixels for a movement on a slow machine, and all of them a moment after it. */
-  #keepPace(now: number): void {
-    const share = this.#pace.moving(now);
-    if (share !== this.#share) this.#sharpen(share);
-    if (!this.#pace.isReduced) return;
-    clearTimeout(this.#resting);
-    this.#resting = setTimeout(() => {
-      this.#sharpen(1);
-      this.#render();
-    }, 250);
-  }
-
   #draw(now: number): void {
-    this.#keepPace(now);
+    this.#screen.move(now, () => this.#render());
     if (this.#morph && this.#surface) {
       if (!this.#morph.write(now, this.#surface.drawn)) this.#morph = null;
       this.#surface.touch();
@@ -285,17 +252,6 @@ export class Viewer {
         tell(false);
       },
       { signal },
-    );
-  }
-}
-
-function webGlRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
-  try {
-    return new WebGLRenderer({ canvas, antialias: true, alpha: true });
-  } catch {
-    throw new Error(
-      'This browser cannot draw 3D here (WebGL is off or missing). Turn on hardware acceleration or try another browser; ' +
-        'shaping and export still work.',
     );
   }
 }

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { uniqueEdges } from '../../src/viewer/edges.ts';
 import { Morph } from '../../src/viewer/morph.ts';
+import { Pace } from '../../src/viewer/pace.ts';
 import { RenderLoop } from '../../src/viewer/render-loop.ts';
 import { Surface } from '../../src/viewer/surface.ts';
 import { frameOf } from '../../src/viewer/view-frame.ts';
@@ -84,6 +85,22 @@ describe('drawing on demand', () => {
     expect(asked).toHaveLength(1);
     loop.resume();
     expect(asked).toHaveLength(2);
+  });
+});
+
+describe('the pace of drawing', () => {
+  it('stays sharp on a quick machine and gives way on a slow one', () => {
+    const quick = new Pace();
+    for (let frame = 0; frame < 50; frame++) expect(quick.moving(16 * frame)).toBe(1);
+    const slow = new Pace();
+    for (let frame = 0; frame < 50; frame++) slow.moving(90 * frame);
+    expect(slow.moving(90 * 50)).toBe(0.5);
+    expect(slow.isReduced).toBe(true);
+  });
+
+  it('does not take rest for slowness', () => {
+    const pace = new Pace();
+    for (let frame = 0; frame < 20; frame++) expect(pace.moving(1000 * frame)).toBe(1);
   });
 });
 

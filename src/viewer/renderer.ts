@@ -1,0 +1,22 @@
+import { type Camera, type Scene, WebGLRenderer } from 'three';
+
+/** What the viewer asks of a renderer; a test gives its own. */
+export interface Renderer {
+  setPixelRatio(ratio: number): void;
+  setSize(width: number, height: number, style: boolean): void;
+  render(scene: Scene, camera: Camera): void;
+  dispose(): void;
+  readonly shadowMap: { enabled: boolean; type: number; autoUpdate: boolean; needsUpdate: boolean };
+}
+
+/** @throws Error with a sentence for people when the browser gives no WebGL context */
+export function webGlRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
+  try {
+    return new WebGLRenderer({ canvas, antialias: true, alpha: true });
+  } catch {
+    throw new Error(
+      'This browser cannot draw 3D here (WebGL is off or missing). Turn on hardware acceleration or try another browser; ' +
+        'shaping and export still work.',
+    );
+  }
+}
