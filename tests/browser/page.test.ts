@@ -183,8 +183,8 @@ it('changes shading and opens samples from the keyboard', async () => {
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(
-    () => document.querySelector('.report')?.textContent?.includes('three') !== undefined,
+  await page.waitForFunction(() =>
+    document.querySelector('[data-act=undo]')?.getAttribute('aria-label')?.includes('suzanne'),
   );
   await carved(page);
   expect(await page.locator('[data-act=undo]').getAttribute('aria-label')).toBe('Undo Open suzanne.glb');

@@ -1,3 +1,4 @@
+import { createHash } from 'node:crypto';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 
 const flags = [
@@ -84,11 +85,15 @@ export async function solving(page: Page): Promise<void> {
   );
 }
 
-/** The part of the canvas that nothing covers. */
+/** A fingerprint of the part of the canvas that nothing covers, once it is at rest and sharp. */
 export async function picture(page: Page): Promise<string> {
-  await page.waitForTimeout(120);
+  await page.waitForTimeout(400);
+  await page.waitForFunction(() => {
+    const canvas = document.querySelector('canvas');
+    return canvas?.width === Math.floor((canvas?.clientWidth ?? 0) * devicePixelRatio);
+  });
   const shot = await page.screenshot({ clip: { x: 20, y: 90, width: 800, height: 620 } });
-  return shot.toString('base64');
+  return createHash('sha256').update(shot).digest('hex');
 }
 
 export function lambda(page: Page): Promise<number> {

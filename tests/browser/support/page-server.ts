@@ -1,4 +1,3 @@
-import { existsSync } from 'node:fs';
 import type { AddressInfo } from 'node:net';
 import { fileURLToPath } from 'node:url';
 import { build, preview } from 'vite';
@@ -12,9 +11,7 @@ export interface PageServer {
 
 /** Builds the page as it is shipped and serves it on a free port of this machine. */
 export async function servePage(): Promise<PageServer> {
-  // Without a file layer in the tree the page runs on its stand-in.
-  const own = existsSync(root('src/engine/worker.ts'));
-  const configFile = root(own ? 'vite.config.ts' : 'tests/app/stand-in/vite.config.ts');
+  const configFile = root('vite.config.ts');
   const outDir = root('tests/out/page');
   await build({ configFile, logLevel: 'error', build: { outDir } });
   const server = await preview({
