@@ -8,11 +8,11 @@ export function lineEndLength(bytes: Uint8Array, at: number): number {
   return 0;
 }
 
-/** Whether a word cannot go on at `at`: blank, line end, comment, continuation or end of file. */
+/** Whether a word cannot go on at `at`: blank, line end, continuation or end of file. */
 export function isTokenEnd(bytes: Uint8Array, at: number): boolean {
   if (at >= bytes.length) return true;
   const c = bytes[at];
-  return c <= 32 || c === 35 || (c === 92 && lineEndLength(bytes, at + 1) > 0);
+  return c <= 32 || (c === 92 && lineEndLength(bytes, at + 1) > 0);
 }
 
 export function tokenEnd(bytes: Uint8Array, at: number): number {

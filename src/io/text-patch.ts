@@ -59,12 +59,18 @@ export function positionTexts(before: Float64Array, after: Float64Array, p: numb
   return texts;
 }
 
-/** New texts for a unit normal (six decimals, as files have them), undefined if it keeps its own (NaN). */
-export function normalTexts(normals: Float64Array, n: number): (string | undefined)[] {
+/**
+ * New texts for a unit normal (six decimals, as files have them), undefined where it keeps its own: normals that are
+ * NaN, and numbers that do not differ in six decimals.
+ */
+export function normalTexts(stored: Float64Array, normals: Float64Array, n: number): (string | undefined)[] {
   const texts: (string | undefined)[] = [undefined, undefined, undefined];
   for (let axis = 0; axis < 3; axis++) {
     const value = normals[3 * n + axis];
-    if (!Number.isNaN(value)) texts[axis] = String(Math.round(value * 1e6) / 1e6 + 0);
+    const kept = stored[3 * n + axis];
+    if (!Number.isNaN(value) && !(Math.abs(value - kept) < 1e-6)) {
+      texts[axis] = String(Math.round(value * 1e6) / 1e6 + 0);
+    }
   }
   return texts;
 }

@@ -15,7 +15,7 @@ const largestMantissa = 900719925474098;
 
 /**
  * Walks over the bytes of a text file: blanks, numbers, lines. Readers and patchers use the same walk, so they cannot
- * disagree about where a number stands. A `#` starts a comment, a `\` before a line end continues the line; LF, CR LF
+ * disagree about where a number stands. A word that begins with `#` starts a comment, a `\` before a line end continues the line; LF, CR LF
  * and CR end lines. Lines are not counted on the way; {@link lineAt} counts them when an error needs it.
  */
 export class TextScanner {

@@ -29,7 +29,7 @@ export class GltfDocument {
   constructor(bytes: Uint8Array, name: string, isBinary: boolean) {
     this.bytes = bytes;
     this.name = name;
-    this.#budget = 1e6 + 64 * bytes.length;
+    this.#budget = 1e6 + 16 * bytes.length;
     this.layout = isBinary ? this.#glbLayout() : { json: [hasByteOrderMark(bytes) ? 3 : 0, bytes.length] };
     this.root = this.record(this.#parse(), 'the JSON');
     const version = this.record(this.root.asset ?? {}, 'asset').version;

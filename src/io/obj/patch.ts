@@ -16,7 +16,7 @@ export function patchObj(
     const here = p < positionOffsets.length ? positionOffsets[p] : Number.POSITIVE_INFINITY;
     for (; n < normalOffsets.length && normalOffsets[n] < here; n++) {
       if (normals && !Number.isNaN(normals[3 * n])) {
-        patch.row(normalOffsets[n], firstThree, normalTexts(normals, n));
+        patch.row(normalOffsets[n], firstThree, normalTexts(file.normals, normals, n));
       }
     }
     if (p === positionOffsets.length) break;

@@ -68,7 +68,7 @@ function patchText(
     const turned = normals !== undefined && !Number.isNaN(normals[3 * p]);
     if (!turned && !hasMoved(file.positions, positions, p)) continue;
     const texts = positionTexts(file.positions, positions, p);
-    if (turned) texts.push(...normalTexts(normals, p));
+    if (turned) texts.push(...normalTexts(file.normals, normals, p));
     patch.row(
       file.rowOffsets[p],
       sorted,

@@ -14,7 +14,8 @@ export function patchStlText(
   const normals = facetNormals(file, positions);
   const { start } = file.faces;
   for (let f = 0; f + 1 < start.length; f++) {
-    if (!Number.isNaN(normals[3 * f])) patch.row(file.normalOffsets[f], firstThree, normalTexts(normals, f));
+    if (!Number.isNaN(normals[3 * f]))
+      patch.row(file.normalOffsets[f], firstThree, normalTexts(file.facetNormals, normals, f));
     for (let p = start[f]; p < start[f + 1]; p++) {
       const texts = positionTexts(file.positions, positions, p);
       if (texts.some((text) => text !== undefined)) patch.row(file.positionOffsets[p], firstThree, texts);
