@@ -112,10 +112,14 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
       for (std::size_t k = 0; k < M.size(); ++k) energy -= (R[k] * M[k]).trace();
       CHECK(energy == doctest::Approx(energyByDefinition(kind, rest, output, R)).epsilon(1e-12));
 
-      Points b(rest.vertexCount(), 3);
-      edges.scatterRightHandSide(R, b);
+      Points residual(rest.vertexCount(), 3);
+      edges.scatterResidual(R, output, residual);
       const double visits = kind == EdgeSetKind::faces ? 1 : 3;
-      const Points gradient = 2 * visits * (denseLaplacian(rest) * output - b);
+      const Points gradient = -2 * visits * residual;
+      // The Hessian is the Laplacian: the residual changes by −L ΔV.
+      Points elsewhere(rest.vertexCount(), 3);
+      edges.scatterResidual(R, rest.positions, elsewhere);
+      CHECK((residual - elsewhere + denseLaplacian(rest) * (output - rest.positions)).norm() < 1e-11);
       const double h = 1e-6;
       for (Index v = 0; v < rest.vertexCount(); v += 5) {
         for (int axis = 0; axis < 3; ++axis) {

@@ -41,7 +41,7 @@ TEST_CASE("the Cholesky factorization solves random systems of every small size"
     cholesky.analyze(A);
     REQUIRE(cholesky.factorize(A).ok());
     cholesky.solve(rhs);
-    CHECK((rhs - X).norm() < 1e-10 * n);
+    CHECK((rhs - X).norm() < 1e-5 * X.norm());
   }
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("new values on a kept pattern") {
   REQUIRE(cholesky.factorize(A).ok());
   Points rhs = A * Points::Ones(40, 3);
   cholesky.solve(rhs);
-  CHECK((rhs - Points::Ones(40, 3)).norm() < 1e-10);
+  CHECK((rhs - Points::Ones(40, 3)).norm() < 1e-5);
 }
 
 TEST_CASE("an indefinite or singular matrix is a status, not a NaN") {
@@ -80,15 +80,18 @@ TEST_CASE("held rows stay and the rest minimises the quadratic") {
     REQUIRE(quadratic.prepare(A, held).ok());
     const Points start = randomPoints(n, noise);
     Points X = start;
-    const long before = testing::allocationCount();
-    quadratic.solve(B, X);
-    CHECK(testing::allocationCount() == before);
+    for (int repetition = 0; repetition < 4; ++repetition) {  // each takes six digits off the error
+      const Points residual = B - A * X;
+      const long before = testing::allocationCount();
+      quadratic.correct(residual, X);
+      CHECK(testing::allocationCount() == before);
+    }
     Points residual = A * X - B;
     for (const Index row : held) {
       CHECK(X.row(row) == start.row(row));
       residual.row(row).setZero();
     }
-    CHECK(residual.norm() < 1e-10);
+    CHECK(residual.norm() < 1e-12 * (1 + B.norm()));
   }
 }
 
@@ -98,6 +101,6 @@ TEST_CASE("everything held leaves nothing to solve") {
   ConstrainedQuadratic quadratic;
   REQUIRE(quadratic.prepare(A, {0, 1, 2}).ok());
   Points X = Points::Ones(3, 3);
-  quadratic.solve(Points::Zero(3, 3), X);
+  quadratic.correct(Points::Ones(3, 3), X);
   CHECK(X == Points::Ones(3, 3));
 }

@@ -58,15 +58,21 @@ Mat3 EdgeSet::meanRotation(const std::vector<Mat3>& rotations, Index face) const
   return (rotations[corners[0]] + rotations[corners[1]] + rotations[corners[2]]) / 3;
 }
 
-void EdgeSet::scatterRightHandSide(const std::vector<Mat3>& rotations, Points& b) const {
-  b.setZero();
+void EdgeSet::scatterResidual(const std::vector<Mat3>& rotations, const Points& output, Points& residual) const {
+  residual.setZero();
   for (Index f = 0; f < rest_.faceCount(); ++f) {
+    const auto corners = rest_.triangles.row(f);
+    const auto c = halfCotangents_.row(f);
     const Mat3 R = meanRotation(rotations, f);
-    const Vec3 second = R * secondGradient_.row(f).transpose();
-    const Vec3 third = R * thirdGradient_.row(f).transpose();
-    b.row(rest_.triangles(f, 1)) += second.transpose();
-    b.row(rest_.triangles(f, 2)) += third.transpose();
-    b.row(rest_.triangles(f, 0)) -= (second + third).transpose();
+    const Eigen::RowVector3d toSecond = output.row(corners[1]) - output.row(corners[0]);
+    const Eigen::RowVector3d toThird = output.row(corners[2]) - output.row(corners[0]);
+    // What the rotated rest edges ask of a corner, less what the output's edges give it.
+    const Eigen::RowVector3d opposite = c[0] * (toThird - toSecond);
+    const Eigen::RowVector3d second = (R * secondGradient_.row(f).transpose()).transpose() - c[2] * toSecond + opposite;
+    const Eigen::RowVector3d third = (R * thirdGradient_.row(f).transpose()).transpose() - c[1] * toThird - opposite;
+    residual.row(corners[1]) += second;
+    residual.row(corners[2]) += third;
+    residual.row(corners[0]) -= second + third;
   }
 }
 

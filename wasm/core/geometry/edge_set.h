@@ -30,8 +30,9 @@ class EdgeSet {
   /// `elementCount()` matrices. Returns Σ_k Σ_e c_e (|d_e|² + |u_e|²), the part of the energy that no rotation changes.
   double gatherCovariances(const Points& output, std::vector<Mat3>& covariances) const;
 
-  /// The right-hand side b (#V×3) of the global step L V = b, L the cotangent Laplacian for both kinds.
-  void scatterRightHandSide(const std::vector<Mat3>& rotations, Points& b) const;
+  /// The residual b − L V (#V×3) of the global step L V = b at the positions `output`; L is the cotangent Laplacian for both
+  /// kinds. It is the energy's downhill gradient over twice the number of elements that see each face.
+  void scatterResidual(const std::vector<Mat3>& rotations, const Points& output, Points& residual) const;
 
  private:
   Mat3 meanRotation(const std::vector<Mat3>& rotations, Index face) const;

@@ -17,44 +17,32 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
     freeIndex[row] = static_cast<Index>(free_.size());
     free_.push_back(row);
   }
-
   const Index freeCount = static_cast<Index>(free_.size());
-  SparseMatrix freeBlock(freeCount, freeCount);
-  coupling_.resize(freeCount, A.cols());
+  correction_.resize(freeCount, 3);
+  if (freeCount == 0) return {};
+
+  SparseMatrix freeBlock(freeCount, freeCount);  // its lower half
   freeBlock.reserve((A.nonZeros() + A.rows()) / 2);
-  for (Index column = 0; column < A.cols(); ++column) {
-    // Free rows keep their order, so both matrices are filled front to back.
-    const Index freeColumn = freeIndex[column];
-    SparseMatrix& target = freeColumn == kHeld ? coupling_ : freeBlock;
-    const Index targetColumn = freeColumn == kHeld ? column : freeColumn;
-    if (freeColumn != kHeld) coupling_.startVec(column);
-    target.startVec(targetColumn);
-    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
+  for (Index column = 0; column < freeCount; ++column) {
+    freeBlock.startVec(column);
+    for (SparseMatrix::InnerIterator entry(A, free_[column]); entry; ++entry) {
+      // Free rows keep their order, so the block is filled front to back.
       const Index row = freeIndex[entry.row()];
-      const bool needed = row != kHeld && (freeColumn == kHeld || row >= freeColumn);  // of the free block, the lower half
-      if (needed) target.insertBack(row, targetColumn) = entry.value();
+      if (row >= column) freeBlock.insertBack(row, column) = entry.value();
     }
   }
   freeBlock.finalize();
-  coupling_.finalize();
   A = SparseMatrix();
 
-  rhs_.resize(freeCount, 3);
-  if (freeCount == 0) return {};
   cholesky_.analyze(freeBlock);
   return cholesky_.factorize(freeBlock);
 }
 
-void ConstrainedQuadratic::solve(const Points& B, Points& X) {
+void ConstrainedQuadratic::correct(const Points& residual, Points& X) {
   if (free_.empty()) return;
-  for (std::size_t i = 0; i < free_.size(); ++i) rhs_.row(i) = B.row(free_[i]);
-  for (Index column = 0; column < coupling_.cols(); ++column) {
-    for (SparseMatrix::InnerIterator entry(coupling_, column); entry; ++entry) {
-      rhs_.row(entry.row()) -= entry.value() * X.row(column);
-    }
-  }
-  cholesky_.solve(rhs_);
-  for (std::size_t i = 0; i < free_.size(); ++i) X.row(free_[i]) = rhs_.row(i);
+  for (std::size_t i = 0; i < free_.size(); ++i) correction_.row(i) = residual.row(free_[i]);
+  cholesky_.solve(correction_);
+  for (std::size_t i = 0; i < free_.size(); ++i) X.row(free_[i]) += correction_.row(i);
 }
 
 }  // namespace whittle

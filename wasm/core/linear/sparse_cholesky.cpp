@@ -1,54 +1,109 @@
 #include "linear/sparse_cholesky.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include "linear/multifrontal.h"
+
 namespace whittle {
 
-namespace {
-
-/// x ← L⁻¹ x, column by column; the diagonal is the first entry of each.
-void solveForward(const SparseMatrix& L, Points& x) {
-  const Index* start = L.outerIndexPtr();
-  const Index* row = L.innerIndexPtr();
-  const double* value = L.valuePtr();
-  for (Index j = 0; j < L.cols(); ++j) {
-    const Eigen::RowVector3d xj = x.row(j) / value[start[j]];
-    x.row(j) = xj;
-    for (Index p = start[j] + 1; p < start[j + 1]; ++p) x.row(row[p]) -= value[p] * xj;
-  }
-}
-
-/// x ← L⁻ᵀ x.
-void solveBackward(const SparseMatrix& L, Points& x) {
-  const Index* start = L.outerIndexPtr();
-  const Index* row = L.innerIndexPtr();
-  const double* value = L.valuePtr();
-  for (Index j = static_cast<Index>(L.cols()) - 1; j >= 0; --j) {
-    Eigen::RowVector3d xj = x.row(j);
-    for (Index p = start[j] + 1; p < start[j + 1]; ++p) xj -= value[p] * x.row(row[p]);
-    x.row(j) = xj / value[start[j]];
-  }
-}
-
-}  // namespace
-
 void SparseCholesky::analyze(const SparseMatrix& A) {
-  llt_.analyzePattern(A);
-  permuted_.resize(A.rows(), 3);
+  supernodes_ = analyzeSupernodes(A);
+  placeRows();
+  placeEntries(A);
+  measureStack();
+}
+
+void SparseCholesky::placeRows() {
+  const Index unknowns = static_cast<Index>(supernodes_.newOf.size());
+  Index mostTiles = 0, mostColumns = 0;
+  paddedRows_.clear();
+  paddedStart_.assign(1, 0);
+  tileStart_.assign(1, 0);
+  for (Index s = 0; s < supernodes_.count(); ++s) {
+    const Index* rows = supernodes_.rowsOf(s);
+    const Index tiles = (supernodes_.height(s) + 3) / 4;
+    paddedRows_.insert(paddedRows_.end(), rows, rows + supernodes_.height(s));
+    paddedStart_.push_back(paddedStart_.back() + 4 * tiles);
+    paddedRows_.resize(paddedStart_.back(), unknowns);
+    tileStart_.push_back(tileStart_.back() + 4 * static_cast<std::size_t>(tiles) * supernodes_.columns(s));
+    mostTiles = std::max(mostTiles, tiles);
+    mostColumns = std::max(mostColumns, supernodes_.columns(s));
+  }
+  tiles_.resize(tileStart_.back());
+  rhs_.assign(unknowns + 1, {});
+  scratch_.assign(std::max(3 * mostTiles, mostColumns), {});
+}
+
+void SparseCholesky::placeEntries(const SparseMatrix& A) {
+  std::vector<Index> supernodeOf(A.cols());
+  for (Index s = 0; s < supernodes_.count(); ++s) {
+    std::fill_n(supernodeOf.begin() + supernodes_.columnStart[s], supernodes_.columns(s), s);
+  }
+  const auto forEachEntry = [&](auto&& visit) {
+    for (Index old = 0; old < A.cols(); ++old) {
+      for (Index p = A.outerIndexPtr()[old]; p < A.outerIndexPtr()[old + 1]; ++p) {
+        const Index oldRow = A.innerIndexPtr()[p];
+        if (oldRow < old) continue;
+        const auto [column, row] = std::minmax(supernodes_.newOf[old], supernodes_.newOf[oldRow]);
+        visit(p, supernodeOf[column], row, column);
+      }
+    }
+  };
+  entryStart_.assign(supernodes_.count() + 1, 0);
+  forEachEntry([&](Index, Index s, Index, Index) { ++entryStart_[s + 1]; });
+  std::partial_sum(entryStart_.begin(), entryStart_.end(), entryStart_.begin());
+  entries_.resize(entryStart_.back());
+  std::vector<Index> next(entryStart_.begin(), entryStart_.end() - 1);
+  forEachEntry([&](Index value, Index s, Index row, Index column) {
+    const Index* rows = supernodes_.rowsOf(s);
+    const Index height = supernodes_.height(s);
+    const Index place = static_cast<Index>(std::lower_bound(rows, rows + height, row) - rows);
+    entries_[next[s]++] = {value, place + (column - supernodes_.columnStart[s]) * height};
+  });
+}
+
+void SparseCholesky::measureStack() {
+  peakUpdates_ = 0;
+  std::size_t stack = 0;
+  std::vector<std::size_t> ofChildren(supernodes_.count(), 0);
+  for (Index s = 0; s < supernodes_.count(); ++s) {
+    const std::size_t update = static_cast<std::size_t>(updateSize(s)) * updateSize(s);
+    peakUpdates_ = std::max(peakUpdates_, stack + update);
+    stack += update - ofChildren[s];
+    if (supernodes_.parent[s] >= 0) ofChildren[supernodes_.parent[s]] += update;
+  }
 }
 
 Status SparseCholesky::factorize(const SparseMatrix& A) {
-  llt_.factorize(A);
-  if (llt_.info() == Eigen::Success) return {};
-  return Status::failure(Code::numericalFailure,
-                         "the linear system is not positive definite; the mesh may hold faces too thin to compute with");
+  Multifrontal work(supernodes_, peakUpdates_);
+  for (Index s = 0; s < supernodes_.count(); ++s) {
+    double* front = work.open(s);
+    for (Index e = entryStart_[s]; e < entryStart_[s + 1]; ++e) front[entries_[e].place] += A.valuePtr()[entries_[e].value];
+    if (!work.eliminate(s)) {
+      return Status::failure(Code::numericalFailure,
+                             "the linear system is not positive definite; the mesh may hold faces too thin to compute with");
+    }
+    packTiles(work.inverted(s), supernodes_.height(s), supernodes_.columns(s), tiles_.data() + tileStart_[s]);
+  }
+  return {};
+}
+
+SolvePanel SparseCholesky::solvePanel(Index s) const {
+  return {tiles_.data() + tileStart_[s], paddedRows_.data() + paddedStart_[s], supernodes_.columns(s), supernodes_.height(s)};
 }
 
 void SparseCholesky::solve(Points& rhs) {
-  const SparseMatrix& L = llt_.matrixL().nestedExpression();
-  const auto& order = llt_.permutationP().indices();
-  for (Index i = 0; i < rhs.rows(); ++i) permuted_.row(order[i]) = rhs.row(i);
-  solveForward(L, permuted_);
-  solveBackward(L, permuted_);
-  for (Index i = 0; i < rhs.rows(); ++i) rhs.row(i) = permuted_.row(order[i]);
+  const auto& newOf = supernodes_.newOf;
+  for (Index i = 0; i < rhs.rows(); ++i) {
+    rhs_[newOf[i]] = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
+  }
+  for (Index s = 0; s < supernodes_.count(); ++s) panelForward(solvePanel(s), rhs_.data(), scratch_.data());
+  for (Index s = supernodes_.count() - 1; s >= 0; --s) panelBackward(solvePanel(s), rhs_.data(), scratch_.data());
+  for (Index i = 0; i < rhs.rows(); ++i) {
+    const RhsRow& x = rhs_[newOf[i]];
+    rhs.row(i) << x.x, x.y, x.z;
+  }
 }
 
 }  // namespace whittle

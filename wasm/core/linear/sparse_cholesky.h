@@ -1,18 +1,24 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
+#include <vector>
 
 #include "base/sparse_matrix.h"
 #include "base/status.h"
+#include "linear/panel_solve.h"
+#include "linear/supernodes.h"
 
 namespace whittle {
 
 /// Cholesky factorization P A Pᵀ = L Lᵀ of a sparse symmetric positive definite matrix, in three stages so that a caller
 /// repeats only what changed: `analyze` for a new pattern, `factorize` for new values, `solve` for a new right-hand side.
+///
+/// Supernodal and multifrontal: all arithmetic is on dense panels, in double precision. What is kept for the solves is
+/// each panel as [L11⁻¹; −L21 L11⁻¹] rounded once to single precision: half the memory to stream, and products
+/// instead of chains of substitutions. A solution is good to about 1e-6 of its size; callers that need more solve
+/// for a correction of what they have, as iterations do anyway. Of A only the lower triangle is read.
 class SparseCholesky {
  public:
-  /// Orders the unknowns (approximate minimum degree) and finds the pattern of L. Reads only the pattern, and as
-  /// everywhere here only the lower triangle, of A.
+  /// Orders the unknowns and finds the pattern of L. Reads only the pattern of A.
   void analyze(const SparseMatrix& A);
 
   /// Computes L for a matrix of the analyzed pattern. Fails with `numericalFailure` if A is not positive definite.
@@ -22,8 +28,28 @@ class SparseCholesky {
   void solve(Points& rhs);
 
  private:
-  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>> llt_;
-  Points permuted_;  // right-hand sides in the factor's order
+  /// Where an entry of A's value array goes: its place in the column-major panel of its supernode.
+  struct Entry {
+    Index value;
+    Index place;
+  };
+
+  void placeRows();
+  void placeEntries(const SparseMatrix& A);
+  void measureStack();
+  Index updateSize(Index s) const { return supernodes_.height(s) - supernodes_.columns(s); }
+  SolvePanel solvePanel(Index s) const;
+
+  Supernodes supernodes_;
+  std::vector<Entry> entries_;            // of A's lower triangle, by supernode
+  std::vector<Index> entryStart_;         // #supernodes + 1
+  std::size_t peakUpdates_ = 0;           // largest stack of update matrices, in numbers
+  std::vector<Index> paddedRows_;         // rows of each supernode, padded to whole tiles
+  std::vector<std::size_t> paddedStart_;  // #supernodes + 1: into `paddedRows_`
+  std::vector<std::size_t> tileStart_;    // #supernodes + 1: into `tiles_`
+  std::vector<float> tiles_;
+  std::vector<RhsRow> rhs_;               // #unknowns + 1 in the factor's order; the last takes what padding writes
+  std::vector<RhsRow> scratch_;
 };
 
 }  // namespace whittle

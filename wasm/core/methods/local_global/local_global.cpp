@@ -38,7 +38,7 @@ void LocalGlobal::prepareRestShape(const TriangleMesh& rest) {
 
   rotations_.assign(edges_->elementCount(), Mat3::Identity());
   covariances_.assign(edges_->elementCount(), Mat3::Zero());
-  rhs_.resize(rest.vertexCount(), 3);
+  residual_.resize(rest.vertexCount(), 3);
   previous_.resize(rest.vertexCount(), 3);
 }
 
@@ -78,8 +78,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 }
 
 void LocalGlobal::globalStep(Points& positions) {
-  edges_->scatterRightHandSide(rotations_, rhs_);
-  system_.solve(rhs_, positions);
+  edges_->scatterResidual(rotations_, positions, residual_);
+  system_.correct(residual_, positions);
   gauge_->restoreCentroids(positions);
 }
 

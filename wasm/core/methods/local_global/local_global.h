@@ -49,7 +49,7 @@ class LocalGlobal : public Method {
   // Running state
   std::vector<Mat3> rotations_;
   std::vector<Mat3> covariances_;
-  Points rhs_;
+  Points residual_;
   Points previous_;
 };
 

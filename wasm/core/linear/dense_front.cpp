@@ -1,0 +1,139 @@
+#include "linear/dense_front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace whittle {
+
+namespace {
+
+/// Two lanes: what both SSE2 and wasm SIMD have.
+typedef double Lanes __attribute__((vector_size(16)));
+
+constexpr Index kTile = 4;    // rows and columns of a register tile: 8 accumulators
+constexpr Index kBlock = 24;  // columns factored at a time, so that a block of the panel stays in the first cache
+
+Lanes load(const double* p) {
+  Lanes v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+void subtract(double* p, Lanes v) {
+  v = load(p) - v;
+  std::memcpy(p, &v, sizeof v);
+}
+
+void subtractTile(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index depth) {
+  Lanes low0{}, low1{}, low2{}, low3{}, high0{}, high1{}, high2{}, high3{};
+  for (Index l = 0; l < depth; ++l, A += ldA, B += ldB) {
+    const Lanes low = load(A), high = load(A + 2);
+    const Lanes b0{B[0], B[0]}, b1{B[1], B[1]}, b2{B[2], B[2]}, b3{B[3], B[3]};
+    low0 += low * b0;
+    high0 += high * b0;
+    low1 += low * b1;
+    high1 += high * b1;
+    low2 += low * b2;
+    high2 += high * b2;
+    low3 += low * b3;
+    high3 += high * b3;
+  }
+  subtract(C, low0), subtract(C + 2, high0);
+  subtract(C + ldC, low1), subtract(C + ldC + 2, high1);
+  subtract(C + 2 * ldC, low2), subtract(C + 2 * ldC + 2, high2);
+  subtract(C + 3 * ldC, low3), subtract(C + 3 * ldC + 2, high3);
+}
+
+void subtractEdge(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index rows, Index columns,
+                  Index depth) {
+  for (Index j = 0; j < columns; ++j) {
+    for (Index i = 0; i < rows; ++i) {
+      double sum = 0;
+      for (Index l = 0; l < depth; ++l) sum += A[i + l * ldA] * B[j + l * ldB];
+      C[i + j * ldC] -= sum;
+    }
+  }
+}
+
+/// Unblocked Cholesky of `columns` columns over all `rows`, column by column along contiguous rows.
+bool factorBlock(double* panel, Index ld, Index rows, Index columns) {
+  for (Index j = 0; j < columns; ++j) {
+    double* column = panel + j * ld;
+    for (Index l = 0; l < j; ++l) {
+      const double* earlier = panel + l * ld;
+      const double factor = earlier[j];
+      for (Index i = j; i < rows; ++i) column[i] -= factor * earlier[i];
+    }
+    if (!(column[j] > 0) || !std::isfinite(column[j])) return false;
+    const double inverse = 1 / std::sqrt(column[j]);
+    for (Index i = j; i < rows; ++i) column[i] *= inverse;
+  }
+  return true;
+}
+
+}  // namespace
+
+void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index rows, Index columns,
+                     Index depth, bool lowerOnly) {
+  for (Index j = 0; j < columns; j += kTile) {
+    const Index width = std::min(kTile, columns - j);
+    for (Index i = lowerOnly ? j : 0; i < rows; i += kTile) {
+      const Index height = std::min(kTile, rows - i);
+      double* tile = C + i + static_cast<std::ptrdiff_t>(j) * ldC;
+      if (width == kTile && height == kTile) {
+        subtractTile(tile, ldC, A + i, ldA, B + j, ldB, depth);
+      } else {
+        subtractEdge(tile, ldC, A + i, ldA, B + j, ldB, height, width, depth);
+      }
+    }
+  }
+}
+
+void invertPanel(const double* factor, double* inverse, double* scratch, Index rows, Index columns) {
+  // [I; −L21] L11⁻¹, block by block of columns from the right.
+  for (Index j = 0; j < columns; ++j) {
+    double* column = inverse + static_cast<std::ptrdiff_t>(j) * rows;
+    const double* L = factor + static_cast<std::ptrdiff_t>(j) * rows;
+    std::fill_n(column, columns, 0.0);
+    column[j] = 1;
+    for (Index i = columns; i < rows; ++i) column[i] = -L[i];
+  }
+  for (Index end = columns; end > 0;) {
+    const Index first = std::max<Index>(0, end - kBlock), width = end - first, later = columns - end;
+    double* block = inverse + static_cast<std::ptrdiff_t>(first) * rows;
+    for (Index l = 0; l < later; ++l) {
+      for (Index j = 0; j < width; ++j) scratch[j + l * width] = factor[end + l + static_cast<std::ptrdiff_t>(first + j) * rows];
+    }
+    const double* solved = inverse + static_cast<std::ptrdiff_t>(end) * rows;
+    // Rows above the block's own are zero in every column that is solved already.
+    subtractProduct(block + first, rows, solved + first, rows, scratch, width, rows - first, width, later, false);
+    for (Index j = width - 1; j >= 0; --j) {
+      double* column = block + static_cast<std::ptrdiff_t>(j) * rows;
+      const double* L = factor + static_cast<std::ptrdiff_t>(first + j) * rows + first;
+      for (Index l = j + 1; l < width; ++l) {
+        const double* right = block + static_cast<std::ptrdiff_t>(l) * rows;
+        for (Index i = first + l; i < rows; ++i) column[i] -= L[l] * right[i];
+      }
+      const double inversePivot = 1 / L[j];
+      for (Index i = first + j; i < rows; ++i) column[i] *= inversePivot;
+    }
+    end = first;
+  }
+}
+
+bool factorPanel(double* panel, Index rows, Index columns) {
+  for (Index first = 0; first < columns; first += kBlock) {
+    const Index width = std::min(kBlock, columns - first);
+    double* block = panel + first + static_cast<std::ptrdiff_t>(first) * rows;
+    if (!factorBlock(block, rows, rows - first, width)) return false;
+    const Index rest = columns - first - width;
+    if (rest > 0) {
+      double* remaining = block + width + static_cast<std::ptrdiff_t>(width) * rows;
+      subtractProduct(remaining, rows, block + width, rows, block + width, rows, rows - first - width, rest, width, true);
+    }
+  }
+  return true;
+}
+
+}  // namespace whittle

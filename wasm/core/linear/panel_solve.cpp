@@ -1,0 +1,145 @@
+#include "linear/panel_solve.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace whittle {
+
+namespace {
+
+/// Four lanes: what both SSE and wasm SIMD have. Written out because compilers do not vectorize these loops by themselves.
+typedef float Lanes __attribute__((vector_size(16)));
+
+Lanes load(const void* p) {
+  Lanes v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+void store(void* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
+
+Lanes splat(float value) { return Lanes{value, value, value, value}; }
+
+/// Rows become columns: four right-hand-side rows to lanes x, y, z, spare, and back.
+void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+  const Lanes ab0{a[0], b[0], a[1], b[1]}, ab1{a[2], b[2], a[3], b[3]};
+  const Lanes cd0{c[0], d[0], c[1], d[1]}, cd1{c[2], d[2], c[3], d[3]};
+  a = Lanes{ab0[0], ab0[1], cd0[0], cd0[1]};
+  b = Lanes{ab0[2], ab0[3], cd0[2], cd0[3]};
+  c = Lanes{ab1[0], ab1[1], cd1[0], cd1[1]};
+  d = Lanes{ab1[2], ab1[3], cd1[2], cd1[3]};
+}
+
+/// Sums of the lanes of four vectors.
+Lanes horizontalSums(Lanes a, Lanes b, Lanes c, Lanes d) {
+  transpose(a, b, c, d);
+  return (a + b) + (c + d);
+}
+
+/// Puts the products of a tile where they belong: rows of the supernode itself are replaced, those below gain.
+void scatterTile(Lanes x, Lanes y, Lanes z, const SolvePanel& panel, Index tile, RhsRow* rhs) {
+  Lanes spare = splat(0);
+  transpose(x, y, z, spare);
+  const Lanes products[] = {x, y, z, spare};
+  for (int lane = 0; lane < 4; ++lane) {
+    const Index place = 4 * tile + lane;
+    RhsRow* row = rhs + panel.rows[place];
+    store(row, place < panel.columns ? products[lane] : load(row) + products[lane]);
+  }
+}
+
+/// The lanes x, y, z of the rows of every tile.
+void gatherTiles(const SolvePanel& panel, const RhsRow* rhs, RhsRow* lanes) {
+  for (Index tile = 0; tile < panel.tileCount(); ++tile) {
+    const Index* rows = panel.rows + 4 * tile;
+    Lanes x = load(rhs + rows[0]), y = load(rhs + rows[1]), z = load(rhs + rows[2]), spare = load(rhs + rows[3]);
+    transpose(x, y, z, spare);
+    store(lanes + 3 * tile, x);
+    store(lanes + 3 * tile + 1, y);
+    store(lanes + 3 * tile + 2, z);
+  }
+}
+
+/// Σ over the rows of one column times the gathered rows.
+RhsRow columnProduct(const SolvePanel& panel, Index column, const RhsRow* lanes) {
+  Lanes x = splat(0), y = splat(0), z = splat(0);
+  for (Index tile = 0; tile < panel.tileCount(); ++tile) {
+    const Lanes p = load(panel.tiles + 4 * (static_cast<std::ptrdiff_t>(tile) * panel.columns + column));
+    x += p * load(lanes + 3 * tile);
+    y += p * load(lanes + 3 * tile + 1);
+    z += p * load(lanes + 3 * tile + 2);
+  }
+  RhsRow row;
+  store(&row, horizontalSums(x, y, z, splat(0)));
+  return row;
+}
+
+}  // namespace
+
+void packTiles(const double* panel, Index height, Index columns, float* tiles) {
+  for (Index tile = 0; tile * 4 < height; ++tile) {
+    for (Index j = 0; j < columns; ++j) {
+      for (Index lane = 0; lane < 4; ++lane) {
+        const Index row = 4 * tile + lane;
+        *tiles++ = row < height ? static_cast<float>(panel[row + static_cast<std::ptrdiff_t>(j) * height]) : 0.0f;
+      }
+    }
+  }
+}
+
+void panelForward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch) {
+  const Index columns = panel.columns, tileCount = panel.tileCount();
+  std::copy_n(rhs + panel.rows[0], columns, scratch);
+  const std::ptrdiff_t tileSize = 4 * static_cast<std::ptrdiff_t>(columns);
+  const float* tiles = panel.tiles;
+  Index tile = 0;
+  for (; tile + 1 < tileCount; tile += 2, tiles += 2 * tileSize) {  // two tiles share each splat
+    Lanes x0 = splat(0), y0 = x0, z0 = x0, x1 = x0, y1 = x0, z1 = x0;
+    for (Index j = 0; j < columns; ++j) {
+      const Lanes p0 = load(tiles + 4 * j), p1 = load(tiles + tileSize + 4 * j);
+      const Lanes x = splat(scratch[j].x), y = splat(scratch[j].y), z = splat(scratch[j].z);
+      x0 += p0 * x, y0 += p0 * y, z0 += p0 * z;
+      x1 += p1 * x, y1 += p1 * y, z1 += p1 * z;
+    }
+    scatterTile(x0, y0, z0, panel, tile, rhs);
+    scatterTile(x1, y1, z1, panel, tile + 1, rhs);
+  }
+  if (tile < tileCount) {
+    Lanes x = splat(0), y = x, z = x;
+    for (Index j = 0; j < columns; ++j) {
+      const Lanes p = load(tiles + 4 * j);
+      x += p * splat(scratch[j].x), y += p * splat(scratch[j].y), z += p * splat(scratch[j].z);
+    }
+    scatterTile(x, y, z, panel, tile, rhs);
+  }
+}
+
+void panelBackward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch) {
+  gatherTiles(panel, rhs, scratch);
+  const Index columns = panel.columns, tileCount = panel.tileCount();
+  RhsRow* own = rhs + panel.rows[0];
+  Index j = 0;
+  for (; j + 3 < columns; j += 4) {  // four columns share each gathered row
+    Lanes x0 = splat(0), x1 = x0, x2 = x0, x3 = x0, y0 = x0, y1 = x0, y2 = x0, y3 = x0, z0 = x0, z1 = x0, z2 = x0, z3 = x0;
+    const float* tiles = panel.tiles + 4 * j;
+    const RhsRow* lanes = scratch;
+    for (Index tile = 0; tile < tileCount; ++tile, tiles += 4 * static_cast<std::ptrdiff_t>(columns), lanes += 3) {
+      const Lanes x = load(lanes), y = load(lanes + 1), z = load(lanes + 2);
+      Lanes p = load(tiles);
+      x0 += p * x, y0 += p * y, z0 += p * z;
+      p = load(tiles + 4);
+      x1 += p * x, y1 += p * y, z1 += p * z;
+      p = load(tiles + 8);
+      x2 += p * x, y2 += p * y, z2 += p * z;
+      p = load(tiles + 12);
+      x3 += p * x, y3 += p * y, z3 += p * z;
+    }
+    Lanes x = horizontalSums(x0, x1, x2, x3), y = horizontalSums(y0, y1, y2, y3), z = horizontalSums(z0, z1, z2, z3);
+    Lanes spare = splat(0);
+    transpose(x, y, z, spare);
+    store(own + j, x), store(own + j + 1, y), store(own + j + 2, z), store(own + j + 3, spare);
+  }
+  for (; j < columns; ++j) own[j] = columnProduct(panel, j, scratch);
+}
+
+}  // namespace whittle

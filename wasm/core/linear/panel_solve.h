@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/types.h"
+
+namespace whittle {
+
+/// One right-hand side row in single precision: xyz and a spare lane.
+struct alignas(16) RhsRow {
+  float x = 0, y = 0, z = 0, spare = 0;
+};
+
+/// A panel P = [L11⁻¹; −L21 L11⁻¹] of a supernode in single precision, stored in tiles of four rows (each tile holds its
+/// four rows of one column after the other), the last tile padded with zeros.
+struct SolvePanel {
+  const float* tiles;
+  const Index* rows;  // rows of the right-hand sides, padded to whole tiles with a row that nobody reads
+  Index columns;
+  Index height;
+
+  Index tileCount() const { return (height + 3) / 4; }
+};
+
+/// Writes a column-major panel in double precision as tiles. `tiles` holds `tileCount`×`columns`×4 numbers.
+void packTiles(const double* panel, Index height, Index columns, float* tiles);
+
+/// Forward step: own rows ← L11⁻¹ own; rows below −= L21 L11⁻¹ own. `scratch` holds `columns` rows.
+void panelForward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch);
+
+/// Backward step: own rows ← Pᵀ [own; below]. `scratch` holds 3×`tileCount` rows, of which nothing is kept.
+void panelBackward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch);
+
+}  // namespace whittle

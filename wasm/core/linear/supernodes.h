@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "linear/elimination_tree.h"
+
+namespace whittle {
+
+/// The pattern of L as dense panels: runs of columns that share their rows. A panel of k columns and m rows holds m×k
+/// entries; its first k rows are its own columns.
+struct Supernodes {
+  std::vector<Index> newOf;        // #unknowns: position of each unknown in the factor's order
+  std::vector<Index> columnStart;  // #supernodes + 1: first column of each
+  std::vector<std::size_t> rowStart;    // #supernodes + 1: into `rows`
+  std::vector<Index> rows;         // ascending within each supernode
+  std::vector<Index> parent;       // supernode that takes the update, −1 for roots; children come before parents
+
+  Index count() const { return static_cast<Index>(columnStart.size()) - 1; }
+  Index columns(Index s) const { return columnStart[s + 1] - columnStart[s]; }
+  Index height(Index s) const { return static_cast<Index>(rowStart[s + 1] - rowStart[s]); }
+  const Index* rowsOf(Index s) const { return rows.data() + rowStart[s]; }
+};
+
+/// Orders the unknowns of A by approximate minimum degree and finds the supernodes of its factor. Columns with nearly equal
+/// patterns are taken together: a few stored zeros cost less than many small panels.
+Supernodes analyzeSupernodes(const SparseMatrix& A);
+
+}  // namespace whittle
