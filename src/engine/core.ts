@@ -34,9 +34,12 @@ export interface CoreParameter {
   readonly name: string;
   readonly kind: string;
   readonly invalidates: string;
-  readonly default?: number;
+  /** Of a choice, the name. */
+  readonly default?: number | string;
   readonly min?: number;
   readonly max?: number;
+  /** Names of a choice; it crosses to the core as the index of one. */
+  readonly choices?: readonly string[];
 }
 
 export interface Core {
@@ -175,7 +178,9 @@ class WasmSession implements CoreSession {
       if (parameter.kind === 'handles') {
         this.#setHandles(parameters[parameter.name] as Handles | undefined);
       } else {
-        this.#setNumber(parameter.name, Number(parameters[parameter.name] ?? parameter.default));
+        const value = parameters[parameter.name] ?? parameter.default;
+        const index = parameter.choices?.indexOf(String(value)); // -1 is outside the range: the core refuses it
+        this.#setNumber(parameter.name, index ?? Number(value));
       }
     }
   }

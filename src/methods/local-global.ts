@@ -1,4 +1,4 @@
-import type { HandlesParameter, MethodDescriptor, NumberParameter } from './descriptor.ts';
+import type { ChoiceParameter, HandlesParameter, MethodDescriptor, NumberParameter } from './descriptor.ts';
 
 const handles: HandlesParameter = {
   name: 'handles',
@@ -6,6 +6,17 @@ const handles: HandlesParameter = {
   label: 'Handles',
   doc: 'Vertices held at given places, in the file’s units; a part without a handle keeps its centre.',
   invalidates: 'system',
+};
+
+const acceleration: ChoiceParameter = {
+  name: 'acceleration',
+  kind: 'choice',
+  label: 'Acceleration',
+  doc: 'How each iteration builds on those before: Nesterov’s extrapolation, relaxation by 1.8, or not at all as in the papers.',
+  invalidates: 'targets',
+  advanced: true,
+  default: 'nesterov',
+  choices: ['nesterov', 'relaxed', 'none'],
 };
 
 const tolerance: NumberParameter = {
@@ -39,7 +50,7 @@ export const arap: MethodDescriptor = {
   title: 'As rigid as possible',
   summary: 'Move handles and let the rest follow with as little stretching as possible.',
   paper: 'Sorkine and Alexa 2007, spokes and rims of Chao et al. 2010',
-  parameters: [handles, tolerance, maxIterations],
+  parameters: [handles, acceleration, tolerance, maxIterations],
 };
 
 export const cubic: MethodDescriptor = {
@@ -60,7 +71,18 @@ export const cubic: MethodDescriptor = {
       unit: '',
       slider: { min: 0, max: 2, step: 0.01 },
     },
+    {
+      name: 'localStep',
+      kind: 'choice',
+      label: 'Local step',
+      doc: 'How each vertex finds its rotation: exactly by Newton’s method, or by the printed ADMM (2019, §3.1).',
+      invalidates: 'weights',
+      advanced: true,
+      default: 'exact',
+      choices: ['exact', 'admm'],
+    },
     handles,
+    acceleration,
     tolerance,
     maxIterations,
   ],

@@ -1,8 +1,9 @@
 import { expect, test } from 'vitest';
 import { methods } from '../../src/methods/registry.ts';
 import { testCore } from '../fixtures/core.ts';
+import { icosphere } from '../fixtures/meshes.ts';
 
-test('descriptors and the core’s registry say the same: ids, names, kinds, defaults, ranges, staleness', async () => {
+test('descriptors and the core’s registry say the same: ids, names, kinds, defaults, ranges, choices, staleness', async () => {
   const described = methods.map(({ id, parameters }) => ({
     id,
     parameters: parameters.map((parameter) => ({
@@ -10,9 +11,25 @@ test('descriptors and the core’s registry say the same: ids, names, kinds, def
       kind: parameter.kind,
       invalidates: parameter.invalidates,
       ...('min' in parameter ? { default: parameter.default, min: parameter.min, max: parameter.max } : {}),
+      ...('choices' in parameter ? { default: parameter.default, choices: parameter.choices } : {}),
     })),
   }));
   expect(described).toEqual((await testCore()).methods());
+});
+
+test('the default of a choice is one of its names, and a stranger is refused', async () => {
+  const session = (await testCore()).open();
+  const { positions, triangles } = icosphere(1);
+  session.load(positions, triangles);
+  for (const { id, parameters } of methods) {
+    for (const parameter of parameters) {
+      if (parameter.kind !== 'choice') continue;
+      expect(parameter.choices).toContain(parameter.default);
+      for (const choice of parameter.choices) session.configure(id, { [parameter.name]: choice });
+      expect(() => session.configure(id, { [parameter.name]: 'sideways' })).toThrowError(parameter.name);
+    }
+  }
+  session.free();
 });
 
 test('sliders lie within the hard range and hold the default', () => {

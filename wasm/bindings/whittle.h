@@ -30,6 +30,7 @@ WHITTLE_API int whittle_load(WhittleSession* session, const double* positions, i
 WHITTLE_API void whittle_report(const WhittleSession* session, double* numbers);
 
 WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
+/// Sets a number, or a choice by the index of its name.
 WHITTLE_API int whittle_set_number(WhittleSession* session, const char* parameter, double value);
 /// Holds `count` vertices at targets (#count×3, file units); count 0 frees all.
 WHITTLE_API int whittle_set_handles(WhittleSession* session, const int32_t* vertices, const double* targets, int32_t count);

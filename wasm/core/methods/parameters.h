@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/status.h"
@@ -11,17 +12,24 @@ namespace whittle {
 /// What a change of a parameter makes stale; each level includes those before it.
 enum class Stale { nothing, targets, weights, system, all };
 
-enum class ParameterKind { number, integer, handles };
+enum class ParameterKind { number, integer, choice, handles };
 
 /// One parameter of a method: the C++ twin of the TypeScript descriptor, held against it by a test.
 struct ParameterInfo {
   const char* name;
   ParameterKind kind;
   Stale invalidates;
-  double defaultValue = 0;  // numbers only
+  double defaultValue = 0;  // not of handles; of a choice, its index
   double min = 0;           // hard range, inclusive
   double max = 0;
+  std::vector<const char*> choices = {};  // names by index, for a choice only
 };
+
+/// One of several named ways, the first by default. Its value is the index of the name.
+inline ParameterInfo choiceParameter(const char* name, Stale invalidates, std::vector<const char*> choices) {
+  const double last = static_cast<double>(choices.size()) - 1;
+  return {name, ParameterKind::choice, invalidates, 0, 0, last, std::move(choices)};
+}
 
 /// Values for a method's parameters, in the order of its ParameterInfo list; handles beside them, in the unit frame.
 struct Settings {
@@ -38,7 +46,7 @@ struct Settings {
 /// Fails with `badParameter`, naming the parameter, if the value is not finite, out of range or not whole.
 inline Status validateNumber(const ParameterInfo& info, double value) {
   const bool whole = value == static_cast<double>(static_cast<long long>(value));
-  if (value >= info.min && value <= info.max && (info.kind != ParameterKind::integer || whole)) return {};
+  if (value >= info.min && value <= info.max && (info.kind == ParameterKind::number || whole)) return {};
   return Status::failure(Code::badParameter, std::string(info.name) + " is out of its range");
 }
 

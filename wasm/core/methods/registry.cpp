@@ -9,7 +9,7 @@ namespace whittle {
 
 namespace {
 
-constexpr const char* kKindNames[] = {"number", "integer", "handles"};
+constexpr const char* kKindNames[] = {"number", "integer", "choice", "handles"};
 constexpr const char* kStaleNames[] = {"nothing", "targets", "weights", "system", "all"};
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
@@ -23,7 +23,11 @@ std::string number(double value) {
 std::string describe(const ParameterInfo& info) {
   std::string json = "{\"name\":" + quoted(info.name) + ",\"kind\":" + quoted(kKindNames[static_cast<int>(info.kind)]) +
                      ",\"invalidates\":" + quoted(kStaleNames[static_cast<int>(info.invalidates)]);
-  if (info.kind != ParameterKind::handles) {
+  if (info.kind == ParameterKind::choice) {
+    json += ",\"default\":" + quoted(info.choices[static_cast<std::size_t>(info.defaultValue)]) + ",\"choices\":[";
+    for (std::size_t c = 0; c < info.choices.size(); ++c) json += (c ? "," : "") + quoted(info.choices[c]);
+    json += "]";
+  } else if (info.kind != ParameterKind::handles) {
     json += ",\"default\":" + number(info.defaultValue) + ",\"min\":" + number(info.min) + ",\"max\":" + number(info.max);
   }
   return json + "}";

@@ -19,7 +19,7 @@ class Session {
 
   /// Chooses a method; its parameters get their defaults unless it was chosen already. Fails with `unknownMethod`.
   Status select(const std::string& method);
-  /// Fails with `badParameter`.
+  /// A number, or a choice by the index of its name. Fails with `badParameter`.
   Status setNumber(const std::string& parameter, double value);
   /// Targets in the file's units. Fails with `badHandles`.
   Status setHandles(Handles handles);

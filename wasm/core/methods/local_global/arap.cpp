@@ -5,10 +5,10 @@
 
 namespace whittle {
 
-double ArapLocalStep::fit(const std::vector<Mat3>& covariances, std::vector<Mat3>& rotations) {
+double ArapLocalStep::fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, std::vector<Mat3>& rotations) {
   double energy = 0;
   for (std::size_t k = 0; k < rotations.size(); ++k) {
-    rotations[k] = fitRotation(covariances[k], rotations[k]);
+    rotations[k] = fitRotation(covariances[k], guess[k]);
     energy -= rotations[k].cwiseProduct(covariances[k].transpose()).sum();  // tr(R M)
   }
   return energy;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/surface.h"
 
@@ -12,10 +13,15 @@ namespace {
 /// A step shorter than this (unit frame) is rounding: the shape is at rest.
 constexpr double kNoMove = 1e-13;
 
+enum SharedParameter { kHandles, kAcceleration, kTolerance, kMaxIterations };
+
+double longestMove(const Points& from, const Points& to) { return std::sqrt((to - from).rowwise().squaredNorm().maxCoeff()); }
+
 }  // namespace
 
 std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own) {
   own.push_back({"handles", ParameterKind::handles, Stale::system});
+  own.push_back(Acceleration::parameter());
   own.push_back({"tolerance", ParameterKind::number, Stale::targets, 3e-3, 0, 1});
   own.push_back({"maxIterations", ParameterKind::integer, Stale::targets, 1000, 0, 1e6});
   return own;
@@ -23,23 +29,30 @@ std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own) 
 
 Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
   if (stale == Stale::nothing) return {};
-  stopping_.tolerance = settings.numbers[ownParameters_ + 1];
-  stopping_.maxIterations = static_cast<int>(settings.numbers[ownParameters_ + 2]);
+  const double* shared = settings.numbers.data() + ownParameters_;
+  accelerationKind_ = static_cast<Acceleration::Kind>(shared[kAcceleration]);
+  stopping_.tolerance = shared[kTolerance];
+  stopping_.maxIterations = static_cast<int>(shared[kMaxIterations]);
   handles_.targets = settings.handles.targets;
   if (stale >= Stale::all) prepareRestShape(rest);
   if (stale >= Stale::weights) localStep_->prepare(*rest_, settings);
-  return stale >= Stale::system ? prepareSystem(settings.handles) : Status{};
+  if (stale < Stale::system) return {};
+  Status status = prepareSystem(settings.handles);
+  if (status.ok() && stale >= Stale::all) claimRunningState();  // late: the factorization's memory is the peak
+  return status;
 }
 
 void LocalGlobal::prepareRestShape(const TriangleMesh& rest) {
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   edges_.emplace(localStep_->edgeSet(), rest);
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
+}
 
-  rotations_.assign(edges_->elementCount(), Mat3::Identity());
-  covariances_.assign(edges_->elementCount(), Mat3::Zero());
-  residual_.resize(rest.vertexCount(), 3);
-  previous_.resize(rest.vertexCount(), 3);
+void LocalGlobal::claimRunningState() {
+  const Index vertexCount = rest_->mesh.vertexCount();
+  for (auto* matrices : {&guess_, &rotations_, &covariances_}) matrices->assign(edges_->elementCount(), Mat3::Identity());
+  for (auto* points : {&residual_, &previous_}) points->resize(vertexCount, 3);
+  acceleration_.resize(vertexCount);
 }
 
 Status LocalGlobal::prepareSystem(const Handles& handles) {
@@ -53,7 +66,9 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
 
 void LocalGlobal::begin(Points& positions) {
   stopping_.begin();
-  localStep_->begin();
+  acceleration_.begin(accelerationKind_);
+  energy_ = std::numeric_limits<double>::infinity();
+  localStep_->begin(accelerationKind_ != Acceleration::Kind::none);
   std::fill(rotations_.begin(), rotations_.end(), Mat3::Identity());
   applyHandles(handles_, positions);
 }
@@ -63,9 +78,15 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
     report = {Outcome::iterationLimit, 0, 0};
     return {};
   }
+  guess_.swap(rotations_);
+  const bool extrapolated = acceleration_.extrapolate(positions, previous_);
   previous_ = positions;
-  report.energy = edges_->gatherCovariances(positions, covariances_);
-  report.energy += localStep_->fit(covariances_, rotations_);
+  report.energy = localStep(acceleration_.start());
+  if (extrapolated && !(report.energy <= energy_)) {
+    acceleration_.reject(positions);
+    report.energy = localStep(positions);
+  }
+  energy_ = report.energy;
   globalStep(positions);
   report.change = relativeDisplacement(positions);
   if (!std::isfinite(report.energy) || !std::isfinite(report.change)) {
@@ -77,6 +98,11 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   return {};
 }
 
+double LocalGlobal::localStep(const Points& positions) {
+  const double fixed = edges_->gatherCovariances(positions, covariances_);
+  return fixed + localStep_->fit(covariances_, guess_, rotations_);
+}
+
 void LocalGlobal::globalStep(Points& positions) {
   edges_->scatterResidual(rotations_, positions, residual_);
   system_.correct(residual_, positions);
@@ -84,8 +110,8 @@ void LocalGlobal::globalStep(Points& positions) {
 }
 
 double LocalGlobal::relativeDisplacement(const Points& positions) const {
-  const double move = std::sqrt((positions - previous_).rowwise().squaredNorm().maxCoeff());
-  const double way = std::sqrt((positions - rest_->mesh.positions).rowwise().squaredNorm().maxCoeff());
+  const double move = std::max(longestMove(acceleration_.start(), positions), longestMove(previous_, positions));
+  const double way = longestMove(rest_->mesh.positions, positions);
   return move <= kNoMove ? 0 : move / way;
 }
 

@@ -5,6 +5,7 @@
 
 #include "constraints/gauge.h"
 #include "linear/constrained_quadratic.h"
+#include "methods/local_global/acceleration.h"
 #include "methods/local_global/local_step.h"
 #include "methods/local_global/stopping_rule.h"
 #include "methods/method.h"
@@ -15,7 +16,8 @@ namespace whittle {
 std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own);
 
 /// Minimises Σ_k Σ_{e∈N(k)} c_e |R_k d_e − u_e|² + regularizer(R) by turns over the rotations R (local step, the policy)
-/// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge).
+/// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge). The
+/// energy of the points that iterations start from never rises, accelerated or not.
 class LocalGlobal : public Method {
  public:
   /// @param ownParameters how many parameters come before the shared ones
@@ -28,13 +30,19 @@ class LocalGlobal : public Method {
 
  private:
   void prepareRestShape(const TriangleMesh& rest);
+  void claimRunningState();
   Status prepareSystem(const Handles& handles);
+  /// Fits the rotations to the positions; returns their energy.
+  double localStep(const Points& positions);
   void globalStep(Points& positions);
+  /// The longest move of a vertex as a share of the longest way from rest. Of an accelerated iteration both moves must be
+  /// short: from where it started, which is what the plain one would report there, and from the iterate before.
   double relativeDisplacement(const Points& positions) const;
 
   std::unique_ptr<LocalStep> localStep_;
   std::size_t ownParameters_;
   StoppingRule stopping_;
+  Acceleration::Kind accelerationKind_ = Acceleration::Kind::nesterov;
   Handles handles_;
 
   // Prepared once per rest shape
@@ -47,10 +55,13 @@ class LocalGlobal : public Method {
   ConstrainedQuadratic system_;
 
   // Running state
+  std::vector<Mat3> guess_;  // rotations of the iteration before, which made the present positions
   std::vector<Mat3> rotations_;
   std::vector<Mat3> covariances_;
   Points residual_;
   Points previous_;
+  Acceleration acceleration_;
+  double energy_ = 0;  // of the point that the last iteration started from
 };
 
 }  // namespace whittle

@@ -25,11 +25,12 @@ class LocalStep {
   virtual void prepare(const RestShape& rest, const Settings& settings) = 0;
 
   /// Forgets what earlier iterations left.
-  virtual void begin() {}
+  /// @param neverWorse whether no fit may be worse than its guess: an accelerated run falls back on that
+  virtual void begin([[maybe_unused]] bool neverWorse) {}
 
-  /// Updates every rotation to the best for its covariance M (tr(R M) is to be large), starting from the one given.
-  /// Returns Σ_k [regularizer of R_k − tr(R_k M_k)]. Allocates nothing.
-  virtual double fit(const std::vector<Mat3>& covariances, std::vector<Mat3>& rotations) = 0;
+  /// Finds every rotation R that is best for its covariance M (tr(R M) is to be large), starting from the guess. Returns
+  /// Σ_k [regularizer of R_k − tr(R_k M_k)]. Allocates nothing.
+  virtual double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, std::vector<Mat3>& rotations) = 0;
 };
 
 }  // namespace whittle

@@ -1,0 +1,118 @@
+#include "methods/local_global/cubic_exact.h"
+
+#include <array>
+#include <cmath>
+
+#include "geometry/rotation_fit.h"
+#include "geometry/rotation_newton.h"
+#include "methods/local_global/cubic_search.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr int kMaxNewtonSteps = 20;
+constexpr double kLongestTurn = 0.7;  // radians; the model holds no further
+constexpr double kConverged = 1e-10;  // |w|²: the error left is about that, and the objective feels its square
+constexpr double kKink = 0.25;        // share of u that decides whether a coordinate of R n stays at zero
+constexpr double kRounding = 1e-9;
+
+/// Which coordinates of s = R n are held at zero, where |s_j| has its kink and u_j is free.
+using Kinks = std::array<bool, 3>;
+
+/// The active set of u = clamp(u + s / kKink), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the sign.
+Kinks activeKinks(const Vec3& s, Vec3& u) {
+  const Vec3 shifted = s + kKink * u;
+  Index largest;
+  s.cwiseAbs().maxCoeff(&largest);  // s is of unit length: not all of it can be zero
+  Kinks kinks;
+  for (Index j = 0; j < 3; ++j) {
+    kinks[j] = std::abs(shifted[j]) <= kKink && j != largest;
+    if (!kinks[j]) u[j] = std::copysign(1.0, j == largest ? s[j] : shifted[j]);
+  }
+  return kinks;
+}
+
+/// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns). Fails where the
+/// model has no maximum on the tangent space.
+bool newtonStep(const RotationModel& model, const Vec3& s, const Kinks& kinks, double weight, Vec3& w, Vec3& mu) {
+  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent space.
+  Mat3 H = model.H;
+  Vec3 g = model.g;
+  std::array<Vec3, 2> c;
+  std::array<Index, 2> at{};
+  int count = 0;
+  for (Index j = 0; j < 3; ++j) {
+    if (!kinks[j]) continue;
+    c[count] = s.cross(Vec3::Unit(j));
+    at[count] = j;
+    H += weight * c[count] * c[count].transpose();
+    g -= weight * s[j] * c[count];
+    ++count;
+  }
+  if (!isPositiveDefinite(H)) return false;
+  const Mat3 inverse = H.inverse();
+  w = inverse * g;
+  mu.setZero();
+  if (count == 1) {
+    const Vec3 d = inverse * c[0];
+    mu[at[0]] = (c[0].dot(w) + s[at[0]]) / c[0].dot(d);
+    w -= mu[at[0]] * d;
+  } else if (count == 2) {
+    const Vec3 d0 = inverse * c[0], d1 = inverse * c[1];
+    const double a = c[0].dot(d0), b = c[0].dot(d1), e = c[1].dot(d1);
+    const double first = c[0].dot(w) + s[at[0]], second = c[1].dot(w) + s[at[1]];
+    const double determinant = a * e - b * b;
+    if (!(determinant > kRounding * a * e)) return false;
+    mu[at[0]] = (e * first - b * second) / determinant;
+    mu[at[1]] = (a * second - b * first) / determinant;
+    w -= mu[at[0]] * d0 + mu[at[1]] * d1;
+  }
+  return true;
+}
+
+/// Whether u ∈ ∂|s|₁ but for rounding, and R maximises tr(R (M − κ n uᵀ)).
+bool isCertified(const Mat3& M, const Vec3& n, double weight, const Vec3& u, const Mat3& R) {
+  const Vec3 s = R * n;
+  if (u.lpNorm<Eigen::Infinity>() > 1 + kRounding || s.lpNorm<1>() - u.dot(s) > kRounding) return false;
+  const RotationModel model(R * M - weight * s * u.transpose());
+  return isPositiveDefinite(model.H) && model.g.norm() <= kRounding * model.H.trace();
+}
+
+bool climb(const Mat3& M, const Vec3& n, double weight, Vec3& u, Mat3& R) {
+  for (int step = 0; step < kMaxNewtonSteps; ++step) {
+    const Vec3 s = R * n;
+    const Kinks kinks = activeKinks(s, u);
+    const RotationModel model(R * M - weight * s * u.transpose());
+    Vec3 w, mu;
+    if (!newtonStep(model, s, kinks, weight, w, mu)) return false;
+    const double turn = w.norm();
+    const double share = turn > kLongestTurn ? kLongestTurn / turn : 1;
+    R = cayley(share * w) * R;
+    u += share / weight * mu;
+    // A wrong active set can be at rest too; the next step then changes it.
+    if (turn * turn < kConverged && isCertified(M, n, weight, u, R)) {
+      R = orthonormalized(R);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool CubicExact::solveCertified(const Mat3& M, const Vec3& n, double weight, Vec3& u, Mat3& R) {
+  const Mat3 before = R;
+  if (climb(M, n, weight, u, R)) return true;
+
+  // From the dual's side: any u in the cube has a rotation where the model has its maximum.
+  u = (u.allFinite() ? u : Vec3(before * n)).cwiseMax(-1).cwiseMin(1);
+  R = fitRotation(M - weight * n * u.transpose(), before);
+  if (climb(M, n, weight, u, R)) return true;
+
+  R = searchCubic(M, n, weight, before);
+  u = (R * n).unaryExpr([](double s) { return std::abs(s) < kRounding ? 0 : std::copysign(1.0, s); });
+  return false;
+}
+
+}  // namespace whittle
