@@ -5,7 +5,8 @@
 
 namespace whittle {
 
-double ArapLocalStep::fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, std::vector<Mat3>& rotations) {
+double ArapLocalStep::fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool,
+                          std::vector<Mat3>& rotations) {
   double energy = 0;
   for (std::size_t k = 0; k < rotations.size(); ++k) {
     rotations[k] = fitRotation(covariances[k], guess[k]);

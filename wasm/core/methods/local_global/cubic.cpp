@@ -23,10 +23,11 @@ void CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
   } else {
     solver_ = std::make_unique<CubicExact>();
   }
-  begin(false);  // claims memory
+  begin();
 }
 
-double CubicLocalStep::fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, std::vector<Mat3>& rotations) {
+double CubicLocalStep::fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool neverWorse,
+                           std::vector<Mat3>& rotations) {
   double energy = 0;
   for (std::size_t i = 0; i < rotations.size(); ++i) {
     const Mat3& M = covariances[i];
@@ -35,6 +36,7 @@ double CubicLocalStep::fit(const std::vector<Mat3>& covariances, const std::vect
     if (weights_[i] > 0 && !n.isZero(0)) {
       R = guess[i];
       solver_->solve(static_cast<Index>(i), M, n, weights_[i], R);
+      if (neverWorse && cubicObjective(M, n, weights_[i], R) < cubicObjective(M, n, weights_[i], guess[i])) R = guess[i];
     } else {
       R = fitRotation(M, guess[i]);
     }

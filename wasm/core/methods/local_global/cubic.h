@@ -13,8 +13,9 @@ namespace whittle {
 class CubicLocalStep : public LocalStep {
  public:
   void prepare(const RestShape& rest, const Settings& settings) override;
-  void begin(bool neverWorse) override { solver_->begin(weights_, neverWorse); }
-  double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, std::vector<Mat3>& rotations) override;
+  void begin() override { solver_->begin(weights_); }
+  double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool neverWorse,
+             std::vector<Mat3>& rotations) override;
 
  private:
   Scalars weights_;                  // #V, λ a_i

@@ -18,21 +18,13 @@ Vec3 shrink(const Vec3& x, double threshold) { return x.array().sign() * (x.arra
 
 }  // namespace
 
-void CubicAdmm::begin(const Scalars& weights, bool neverWorse) {
-  neverWorse_ = neverWorse;
+void CubicAdmm::begin(const Scalars& weights) {
   states_.resize(weights.size());
   for (std::size_t i = 0; i < states_.size(); ++i) states_[i] = {Vec3::Zero(), Vec3::Zero(), kInitialPenalty * weights[i]};
 }
 
 void CubicAdmm::solve(Index vertex, const Mat3& M, const Vec3& n, double weight, Mat3& R) {
-  const Mat3 before = R;
-  iterate(states_[vertex], M, n, weight, R);
-  // Within its tolerance ADMM can end below where it began.
-  if (neverWorse_ && cubicObjective(M, n, weight, R) < cubicObjective(M, n, weight, before)) R = before;
-}
-
-void CubicAdmm::iterate(State& state, const Mat3& M, const Vec3& n, double weight, Mat3& R) const {
-  auto& [z, u, rho] = state;
+  auto& [z, u, rho] = states_[vertex];
   for (int step = 0; step < tolerances_.maxSteps; ++step) {
     R = fitRotation(M + rho * n * (z - u).transpose(), R);
     const Vec3 p = R * n;

@@ -20,7 +20,7 @@ class CubicAdmm : public CubicVertexSolver {
   CubicAdmm() = default;
   explicit CubicAdmm(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
-  void begin(const Scalars& weights, bool neverWorse) override;
+  void begin(const Scalars& weights) override;
   void solve(Index vertex, const Mat3& M, const Vec3& n, double weight, Mat3& R) override;
 
  private:
@@ -31,11 +31,8 @@ class CubicAdmm : public CubicVertexSolver {
     double rho;
   };
 
-  void iterate(State& state, const Mat3& M, const Vec3& n, double weight, Mat3& R) const;
-
   Tolerances tolerances_;
   std::vector<State> states_;
-  bool neverWorse_ = false;
 };
 
 }  // namespace whittle

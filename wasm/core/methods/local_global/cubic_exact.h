@@ -12,7 +12,7 @@ namespace whittle {
 /// goes to `searchCubic`, warm start included, so the objective never falls.
 class CubicExact : public CubicVertexSolver {
  public:
-  void begin(const Scalars& weights, bool) override { subgradients_.assign(weights.size(), Vec3::Zero()); }
+  void begin(const Scalars& weights) override { subgradients_.assign(weights.size(), Vec3::Zero()); }
   void solve(Index vertex, const Mat3& M, const Vec3& n, double weight, Mat3& R) override {
     solveCertified(M, n, weight, subgradients_[vertex], R);
   }

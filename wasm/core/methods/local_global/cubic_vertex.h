@@ -9,10 +9,8 @@ class CubicVertexSolver {
  public:
   virtual ~CubicVertexSolver() = default;
 
-  /// Forgets what earlier calls left.
-  /// @param weights #V, κ
-  /// @param neverWorse whether R may not end worse than it began, where the solver does not promise it anyway
-  virtual void begin(const Scalars& weights, bool neverWorse) = 0;
+  /// Forgets what earlier calls left. @param weights #V, κ
+  virtual void begin(const Scalars& weights) = 0;
 
   /// Updates R, a rotation on entry. n is of unit length and κ positive. Allocates nothing.
   virtual void solve(Index vertex, const Mat3& M, const Vec3& n, double weight, Mat3& R) = 0;

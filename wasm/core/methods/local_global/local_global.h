@@ -32,8 +32,8 @@ class LocalGlobal : public Method {
   void prepareRestShape(const TriangleMesh& rest);
   void claimRunningState();
   Status prepareSystem(const Handles& handles);
-  /// Fits the rotations to the positions; returns their energy.
-  double localStep(const Points& positions);
+  /// Fits the rotations to the positions, on demand none of them worse than it was; returns the energy.
+  double localStep(const Points& positions, bool neverWorse);
   void globalStep(Points& positions);
   /// The longest move of a vertex as a share of the longest way from rest. Of an accelerated iteration both moves must be
   /// short: from where it started, which is what the plain one would report there, and from the iterate before.

@@ -25,12 +25,13 @@ class LocalStep {
   virtual void prepare(const RestShape& rest, const Settings& settings) = 0;
 
   /// Forgets what earlier iterations left.
-  /// @param neverWorse whether no fit may be worse than its guess: an accelerated run falls back on that
-  virtual void begin([[maybe_unused]] bool neverWorse) {}
+  virtual void begin() {}
 
   /// Finds every rotation R that is best for its covariance M (tr(R M) is to be large), starting from the guess. Returns
   /// Σ_k [regularizer of R_k − tr(R_k M_k)]. Allocates nothing.
-  virtual double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, std::vector<Mat3>& rotations) = 0;
+  /// @param neverWorse whether no rotation may be worse than its guess, where the policy does not promise that anyway
+  virtual double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool neverWorse,
+                     std::vector<Mat3>& rotations) = 0;
 };
 
 }  // namespace whittle
