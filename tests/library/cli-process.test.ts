@@ -50,7 +50,9 @@ test('the compiled program runs, ends by itself and gives exit codes', async () 
 
 test('Ctrl-C keeps what there is', async () => {
   await desk.write('in.obj', objText(icosphere(6)));
-  const words = ['cubic', 'in.obj', '--tolerance', '0', '--max-iterations', '1000000', '--lambda', '2'];
+  // The slow way, so that the run does not come to rest before it is stopped.
+  const slowly = ['--tolerance', '0', '--max-iterations', '1000000', '--acceleration', 'none'];
+  const words = ['cubic', 'in.obj', '--lambda', '0.05', ...slowly];
   const { child, ended } = start(...words, '--out', 'out.obj', '--report', 'report.json');
   // Not a guess of how long it takes: any time within the run will do, and the run is many times longer.
   setTimeout(() => child.kill('SIGINT'), 2500);
