@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMaxNewtonSteps = 20;
 constexpr double kLongestTurn = 0.7;  // radians; the model holds no further
-constexpr double kConverged = 1e-10;  // |w|²: the error left is about that, and the objective feels its square
+constexpr double kConverged = 1e-12;  // |w|², about the error that the step leaves; the certificate looks at it again
 constexpr double kKink = 0.25;        // share of u that decides whether a coordinate of R n stays at zero
 constexpr double kRounding = 1e-9;
 

@@ -76,8 +76,9 @@ double localMaximum(const Function& f, double low, double high) {
   return (low + high) / 2;
 }
 
-/// All local maxima with s_j = 0.
-void searchCircle(const NormalObjective& objective, Index j, Best& best) {
+/// All local maxima with s_j = 0. Not inlined: with -msimd128, Clang 14's superword (SLP) vectorizer then computes wrong
+/// maxima; the tests of the search show it.
+[[gnu::noinline]] void searchCircle(const NormalObjective& objective, Index j, Best& best) {
   const auto point = [j](double angle) {
     Vec3 s = Vec3::Zero();
     s[(j + 1) % 3] = std::cos(angle);
