@@ -20,7 +20,8 @@ endif()
 if(EMSCRIPTEN)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpversion OUTPUT_VARIABLE WHITTLE_EMSCRIPTEN_VERSION
                   OUTPUT_STRIP_TRAILING_WHITESPACE)
-  target_compile_options(whittle_options INTERFACE -O3 -msimd128)
+  # Clang 14's SLP vectorizer miscompiled double-precision code for wasm SIMD; the hot kernels are vectorized by hand.
+  target_compile_options(whittle_options INTERFACE -O3 -msimd128 -fno-slp-vectorize)
   # Newer versions default to 64 KB, in which Eigen's temporaries do not fit.
   if(WHITTLE_EMSCRIPTEN_VERSION VERSION_LESS 3.1.27)
     set(WHITTLE_STACK -sTOTAL_STACK=1MB)
