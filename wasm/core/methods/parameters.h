@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,7 +46,7 @@ struct Settings {
 
 /// Fails with `badParameter`, naming the parameter, if the value is not finite, out of range or not whole.
 inline Status validateNumber(const ParameterInfo& info, double value) {
-  const bool whole = value == static_cast<double>(static_cast<long long>(value));
+  const bool whole = value == std::trunc(value);
   if (value >= info.min && value <= info.max && (info.kind == ParameterKind::number || whole)) return {};
   return Status::failure(Code::badParameter, std::string(info.name) + " is out of its range");
 }
