@@ -1,40 +1,12 @@
 #include "linear/panel_solve.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "base/lanes.h"
 
 namespace whittle {
 
 namespace {
-
-/// Four lanes: what both SSE and wasm SIMD have. Written out because compilers do not vectorize these loops by themselves.
-typedef float Lanes __attribute__((vector_size(16)));
-
-Lanes load(const void* p) {
-  Lanes v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-
-void store(void* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
-
-Lanes splat(float value) { return Lanes{value, value, value, value}; }
-
-/// Rows become columns: four right-hand-side rows to lanes x, y, z, spare, and back.
-void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
-  const Lanes ab0{a[0], b[0], a[1], b[1]}, ab1{a[2], b[2], a[3], b[3]};
-  const Lanes cd0{c[0], d[0], c[1], d[1]}, cd1{c[2], d[2], c[3], d[3]};
-  a = Lanes{ab0[0], ab0[1], cd0[0], cd0[1]};
-  b = Lanes{ab0[2], ab0[3], cd0[2], cd0[3]};
-  c = Lanes{ab1[0], ab1[1], cd1[0], cd1[1]};
-  d = Lanes{ab1[2], ab1[3], cd1[2], cd1[3]};
-}
-
-/// Sums of the lanes of four vectors.
-Lanes horizontalSums(Lanes a, Lanes b, Lanes c, Lanes d) {
-  transpose(a, b, c, d);
-  return (a + b) + (c + d);
-}
 
 /// Puts the products of a tile where they belong: rows of the supernode itself are replaced, those below gain.
 void scatterTile(Lanes x, Lanes y, Lanes z, const SolvePanel& panel, Index tile, RhsRow* rhs) {

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace whittle {
+
+/// Four lanes in single precision: what SSE, NEON and wasm SIMD have. Kernels are written in them because no compiler finds
+/// these vectorizations by itself, and because the same operations in the same order give the same bits everywhere.
+typedef float Lanes __attribute__((vector_size(16)));
+/// What comparing lanes gives: all bits of a lane or none.
+typedef std::int32_t LaneMask __attribute__((vector_size(16)));
+
+inline Lanes load(const void* p) {
+  Lanes v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+inline void store(void* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
+
+inline Lanes splat(float value) { return Lanes{value, value, value, value}; }
+
+inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return (Lanes)(((LaneMask)yes & mask) | ((LaneMask)no & ~mask)); }
+
+/// Zero where the mask is not set.
+inline Lanes keep(LaneMask mask, Lanes v) { return (Lanes)((LaneMask)v & mask); }
+
+inline Lanes minimum(Lanes a, Lanes b) { return select(a < b, a, b); }
+inline Lanes maximum(Lanes a, Lanes b) { return select(a > b, a, b); }
+
+inline Lanes absolute(Lanes v) { return (Lanes)((LaneMask)v & INT32_MAX); }
+/// The size of `size` (not negative) with the sign of `sign`.
+inline Lanes withSign(Lanes size, Lanes sign) { return (Lanes)((LaneMask)size | ((LaneMask)sign & INT32_MIN)); }
+
+inline Lanes squareRoot(Lanes v) {
+#if defined(__wasm_simd128__)
+  return (Lanes)wasm_f32x4_sqrt((v128_t)v);
+#elif defined(__SSE2__)
+  return (Lanes)_mm_sqrt_ps((__m128)v);
+#else
+  return Lanes{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+#endif
+}
+
+inline bool any(LaneMask mask) {
+#if defined(__wasm_simd128__)
+  return wasm_v128_any_true((v128_t)mask);
+#elif defined(__SSE2__)
+  return _mm_movemask_ps((__m128)mask) != 0;
+#else
+  return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+#endif
+}
+
+inline bool all(LaneMask mask) { return !any(~mask); }
+
+/// Rows become columns: of four vectors, the first lanes, the second lanes, …
+inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+  const Lanes ab0{a[0], b[0], a[1], b[1]}, ab1{a[2], b[2], a[3], b[3]};
+  const Lanes cd0{c[0], d[0], c[1], d[1]}, cd1{c[2], d[2], c[3], d[3]};
+  a = Lanes{ab0[0], ab0[1], cd0[0], cd0[1]};
+  b = Lanes{ab0[2], ab0[3], cd0[2], cd0[3]};
+  c = Lanes{ab1[0], ab1[1], cd1[0], cd1[1]};
+  d = Lanes{ab1[2], ab1[3], cd1[2], cd1[3]};
+}
+
+/// Sums of the lanes of four vectors.
+inline Lanes horizontalSums(Lanes a, Lanes b, Lanes c, Lanes d) {
+  transpose(a, b, c, d);
+  return (a + b) + (c + d);
+}
+
+}  // namespace whittle
