@@ -29,6 +29,14 @@ Points randomPoints(Index n, Noise& noise) {
   return points;
 }
 
+std::vector<LaneRow> toRows(const Points& points) {
+  std::vector<LaneRow> rows;
+  for (Index i = 0; i < points.rows(); ++i) {
+    rows.push_back({static_cast<float>(points(i, 0)), static_cast<float>(points(i, 1)), static_cast<float>(points(i, 2)), 0});
+  }
+  return rows;
+}
+
 }  // namespace
 
 TEST_CASE("the Cholesky factorization solves random systems of every small size") {
@@ -81,9 +89,10 @@ TEST_CASE("held rows stay and the rest minimises the quadratic") {
     const Points start = randomPoints(n, noise);
     Points X = start;
     for (int repetition = 0; repetition < 4; ++repetition) {  // each takes six digits off the error
-      const Points residual = B - A * X;
+      const std::vector<LaneRow> residual = toRows(B - A * X);
+      const Points from = X;
       const long before = testing::allocationCount();
-      quadratic.correct(residual, X);
+      quadratic.correct(residual, from, X);
       CHECK(testing::allocationCount() == before);
     }
     Points residual = A * X - B;
@@ -100,7 +109,8 @@ TEST_CASE("everything held leaves nothing to solve") {
   const SparseMatrix A = randomDefinite(3, noise);
   ConstrainedQuadratic quadratic;
   REQUIRE(quadratic.prepare(A, {0, 1, 2}).ok());
-  Points X = Points::Ones(3, 3);
-  quadratic.correct(Points::Ones(3, 3), X);
-  CHECK(X == Points::Ones(3, 3));
+  const Points from = Points::Ones(3, 3);
+  Points X = Points::Zero(3, 3);
+  quadratic.correct(toRows(from), from, X);
+  CHECK(X == from);
 }

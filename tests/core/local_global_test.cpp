@@ -12,6 +12,9 @@ using namespace whittle::testing;
 
 namespace {
 
+/// How far single-precision rotations may take two orders of the same arithmetic apart, for meshes of size about 2.
+constexpr double kSingle = 2e-6;
+
 struct Run {
   Points positions;
   std::vector<double> energies;
@@ -62,7 +65,7 @@ double angleToAxes(const Points& positions, const Triangles& triangles) {
 }
 
 void requireMonotone(const std::vector<double>& energies) {
-  for (std::size_t k = 1; k < energies.size(); ++k) REQUIRE(energies[k] <= energies[k - 1] + 1e-11 * std::abs(energies[0]));
+  for (std::size_t k = 1; k < energies.size(); ++k) REQUIRE(energies[k] <= energies[k - 1] + 1e-8 * std::abs(energies[0]) + 1e-13);
 }
 
 double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().norm().maxCoeff(); }
@@ -82,7 +85,7 @@ TEST_CASE("without handles and without cubeness the input comes back") {
     for (const Setup& setup : {Setup{"arap"}, Setup{"cubic", 0}}) {
       const Run result = run(mesh, setup);
       CHECK(result.outcome == Outcome::converged);
-      CHECK(largestMove(result.positions, mesh.positions) < 1e-12);
+      CHECK(largestMove(result.positions, mesh.positions) == 0);
     }
   }
 }
@@ -94,7 +97,7 @@ TEST_CASE("handles moved rigidly carry the mesh with them") {
   const Setup setup{"arap", 0, 1e-10, 20000, handlesAt(mesh, {0, 5, 17, 40}, R, shift)};
   const Run result = run(mesh, setup);
   const Points expected = (mesh.positions * R.transpose()).rowwise() + shift.transpose();
-  CHECK(largestMove(result.positions, expected) < 1e-6);
+  CHECK(largestMove(result.positions, expected) < kSingle);
   requireMonotone(result.energies);
 }
 
@@ -157,7 +160,7 @@ TEST_CASE("the order of the vertices does not matter") {
   const Setup setup{"cubic", 0.3, 3e-3, 30};
   const Run plain = run(mesh, setup);
   const Run other = run(shuffled, setup);
-  for (Index v = 0; v < n; ++v) REQUIRE((plain.positions.row(v) - other.positions.row(newIndex(v))).norm() < 1e-7);
+  for (Index v = 0; v < n; ++v) REQUIRE((plain.positions.row(v) - other.positions.row(newIndex(v))).norm() < kSingle);
 }
 
 TEST_CASE("turning by a symmetry of the cube turns the result") {
@@ -167,7 +170,7 @@ TEST_CASE("turning by a symmetry of the cube turns the result") {
   TriangleMesh turned = mesh;
   turned.positions = mesh.positions * quarter.transpose();
   const Setup setup{"cubic", 0.4, 3e-3, 40};
-  CHECK(largestMove(run(turned, setup).positions, run(mesh, setup).positions * quarter.transpose()) < 1e-7);
+  CHECK(largestMove(run(turned, setup).positions, run(mesh, setup).positions * quarter.transpose()) < kSingle);
 }
 
 TEST_CASE("every part keeps its centre, and none feels the other") {

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <iterator>
+
+#include "geometry/rotation_newton.h"
 #include "support/shapes.h"
 
 using namespace whittle;
@@ -16,18 +19,13 @@ void requireRotation(const Mat3& R) {
   REQUIRE(R.determinant() > 0);
 }
 
-/// Matrices of every awkward kind, with the given singular values (signed, so reflections are among them).
-Mat3 withSingularValues(Noise& noise, const Vec3& values) {
-  return noise.rotation() * values.asDiagonal() * noise.rotation();
-}
-
 }  // namespace
 
 TEST_CASE("the fit from the decomposition beats every other rotation") {
   Noise noise;
   for (const Vec3& values : {Vec3(3, 2, 1), Vec3(3, 2, -1), Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(1, 1, -1),
                              Vec3(1, 0.3, -0.2999), Vec3(1, 1e-4, 1e-8), Vec3(1e-12, 1e-12, -1e-12)}) {
-    const Mat3 M = withSingularValues(noise, values);
+    const Mat3 M = noise.withSingularValues(values);
     const Mat3 R = fitRotation(M);
     requireRotation(R);
     CHECK(gain(R, M) == doctest::Approx(values.sum()).epsilon(1e-12));
@@ -49,7 +47,7 @@ TEST_CASE("the warm fit survives matrices without a unique answer") {
   Noise noise;
   for (const Vec3& values : {Vec3(1, 1, -1), Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(1, 1e-9, -1e-9)}) {
     for (int trial = 0; trial < 100; ++trial) {
-      const Mat3 M = withSingularValues(noise, values);
+      const Mat3 M = noise.withSingularValues(values);
       const Mat3 R = fitRotation(M, noise.rotation());
       requireRotation(R);
       CHECK(gain(R, M) == doctest::Approx(values.sum()).epsilon(1e-9));
@@ -65,4 +63,46 @@ TEST_CASE("a thousand warm fits in a row leave a rotation") {
     R = fitRotation((target + 0.05 * noise.matrix()).transpose(), R);
   }
   CHECK((R.transpose() * R - Mat3::Identity()).norm() < 1e-14);
+}
+
+TEST_CASE("four fits at once find the maximum of every awkward matrix") {
+  Noise noise;
+  const Vec3 awkward[] = {{3, 2, 1},  {3, 2, -1},       {1, 1, 0},        {1, 0, 0},          {0, 0, 0},
+                          {1, 1, -1}, {1, 0.3, -0.2999}, {1, 1e-4, 1e-8}, {1e-12, 1e-12, -1e-12}, {1e9, 1e9, 1e3}};
+  for (int trial = 0; trial < 400; ++trial) {
+    CovarianceLanes M;
+    QuaternionLanes rotations = identityRotations();
+    for (int lane = 0; lane < 4; ++lane) {
+      setMatrix(M, lane, noise.withSingularValues(awkward[(trial + 3 * lane) % std::size(awkward)]));
+      setRotation(rotations, lane, noise.rotation());
+    }
+    fitRotations(ScaledCovariances(M), rotations);
+    const DoubleLanes found = traces(rotations, M);
+    for (int lane = 0; lane < 4; ++lane) {
+      Mat3 matrix;
+      for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = M.m[i / 3][i % 3][lane];
+      const Mat3 R = rotationAt(rotations, lane);
+      requireRotation(R);
+      REQUIRE(found[lane] == doctest::Approx(gain(R, matrix)).epsilon(1e-12));
+      REQUIRE(gain(R, matrix) >= gain(fitRotation(matrix), matrix) - 2e-6 * matrix.norm());
+    }
+  }
+}
+
+TEST_CASE("warm fits in single precision are good to its rounding") {
+  Noise noise;
+  for (int trial = 0; trial < 500; ++trial) {
+    CovarianceLanes M;
+    QuaternionLanes rotations;
+    Mat3 exact[4];
+    for (int lane = 0; lane < 4; ++lane) {
+      const Mat3 turn = noise.rotation();
+      const Mat3 matrix = (Mat3(Vec3(1, 0.8, 0.1).asDiagonal()) + 0.05 * noise.matrix()) * turn;
+      exact[lane] = fitRotation(matrix);
+      setMatrix(M, lane, matrix);
+      setRotation(rotations, lane, cayley(0.07 * noise.direction()) * exact[lane]);
+    }
+    fitRotations(ScaledCovariances(M), rotations);
+    for (int lane = 0; lane < 4; ++lane) REQUIRE((rotationAt(rotations, lane) - exact[lane]).norm() < 2e-6);
+  }
 }

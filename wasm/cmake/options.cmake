@@ -8,7 +8,7 @@ add_library(whittle_options INTERFACE)
 target_include_directories(whittle_options SYSTEM INTERFACE ${EIGEN_INCLUDE})
 target_compile_definitions(whittle_options INTERFACE EIGEN_MPL2_ONLY)
 # No contraction: a multiply-add fused on one machine and not on another would give other bits.
-target_compile_options(whittle_options INTERFACE -Wall -Wextra -fno-exceptions -ffp-contract=off)
+target_compile_options(whittle_options INTERFACE -Wall -Wextra -Wno-psabi -fno-exceptions -ffp-contract=off)
 
 option(WHITTLE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 if(WHITTLE_SANITIZE)

@@ -107,8 +107,18 @@ Mat3 Noise::matrix() {
 }
 
 Mat3 Noise::rotation() {
-  Eigen::Quaterniond q((*this)(), (*this)(), (*this)(), (*this)());
+  Eigen::Quaterniond q{(*this)(), (*this)(), (*this)(), (*this)()};
   return q.normalized().toRotationMatrix();
+}
+
+Vec3 Noise::direction() {
+  const Vec3 v{(*this)(), (*this)(), (*this)()};
+  return v.normalized();
+}
+
+Mat3 Noise::withSingularValues(const Vec3& values) {
+  const Mat3 U = rotation(), V = rotation();
+  return U * values.asDiagonal() * V;
 }
 
 }  // namespace whittle::testing

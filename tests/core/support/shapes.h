@@ -24,12 +24,16 @@ TriangleMesh bent(TriangleMesh mesh);
 /// A rotation that is nobody's special case.
 Mat3 someRotation();
 
-/// Uniform in [−1, 1], the same numbers in every run and on every machine.
+/// Uniform in [−1, 1], the same numbers in every run and on every machine (draw them in statements or braces:
+/// compilers order the arguments of a call as they like).
 class Noise {
  public:
   double operator()() { return static_cast<double>(engine_()) / 2147483648.0 - 1.0; }
   Mat3 matrix();
   Mat3 rotation();
+  Vec3 direction();
+  /// U diag(values) V for random rotations U and V.
+  Mat3 withSingularValues(const Vec3& values);
 
  private:
   std::mt19937 engine_{20191123u};

@@ -15,6 +15,8 @@ namespace whittle {
 /// Four lanes in single precision: what SSE, NEON and wasm SIMD have. Kernels are written in them because no compiler finds
 /// these vectorizations by itself, and because the same operations in the same order give the same bits everywhere.
 typedef float Lanes __attribute__((vector_size(16)));
+/// The same in double precision, for what single precision would cancel away.
+typedef double DoubleLanes __attribute__((vector_size(32)));
 /// What comparing lanes gives: all bits of a lane or none.
 typedef std::int32_t LaneMask __attribute__((vector_size(16)));
 
@@ -27,6 +29,14 @@ inline Lanes load(const void* p) {
 inline void store(void* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
 
 inline Lanes splat(float value) { return Lanes{value, value, value, value}; }
+
+/// A point or vector in single precision: xyz and a spare lane.
+struct alignas(16) LaneRow {
+  float x = 0, y = 0, z = 0, spare = 0;
+};
+
+inline Lanes toSingle(DoubleLanes v) { return __builtin_convertvector(v, Lanes); }
+inline DoubleLanes toDouble(Lanes v) { return __builtin_convertvector(v, DoubleLanes); }
 
 inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return (Lanes)(((LaneMask)yes & mask) | ((LaneMask)no & ~mask)); }
 
@@ -61,6 +71,8 @@ inline bool any(LaneMask mask) {
 }
 
 inline bool all(LaneMask mask) { return !any(~mask); }
+
+inline double sumOf(DoubleLanes v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
 /// Rows become columns: of four vectors, the first lanes, the second lanes, …
 inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {

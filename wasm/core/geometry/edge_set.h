@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "geometry/cotangent.h"
+#include "geometry/lane_algebra.h"
 #include "mesh/triangle_mesh.h"
 
 namespace whittle {
@@ -13,36 +15,30 @@ enum class EdgeSetKind {
   faces,          // a rotation per face, its three edges
 };
 
-/// The energy Σ_k Σ_{e∈N(k)} c_e |R_k d_e − u_e|² over rotations R_k, rest edges d and output edges u. Both kinds are kept
-/// in face form: per face the corner gradients g_k = Σ ±c_e d_e (they sum to zero), so every face is visited once and
-/// the global step is a Poisson solve with the face's mean rotation.
+/// The energy Σ_k Σ_{e∈N(k)} c_e |R_k d_e − u_e|² over rotations R_k, rest edges d and output edges u, four elements k at a time.
+/// Neither kind lists edges: with g = Σ ±c_e d_e at the corners of a face (they sum to zero), everything is sums of g times
+/// output edges and of rotated g.
 class EdgeSet {
  public:
-  /// `rest` is referred to, not copied: it must outlive the edge set.
-  EdgeSet(EdgeSetKind kind, const TriangleMesh& rest);
+  virtual ~EdgeSet() = default;
 
-  EdgeSetKind kind() const { return kind_; }
   /// Rotations: one per vertex or one per face.
-  Index elementCount() const { return kind_ == EdgeSetKind::faces ? rest_.faceCount() : rest_.vertexCount(); }
-  const CornerScalars& halfCotangents() const { return halfCotangents_; }
+  virtual Index elementCount() const = 0;
 
-  /// M_k = 2 Σ_{e∈N(k)} c_e d_e u_eᵀ for every element (the local step maximises tr(R_k M_k)). `covariances` has
-  /// `elementCount()` matrices. Returns Σ_k Σ_e c_e (|d_e|² + |u_e|²), the part of the energy that no rotation changes.
-  double gatherCovariances(const Points& output, std::vector<Mat3>& covariances) const;
+  /// M_k = 2 Σ_{e∈N(k)} c_e d_e u_eᵀ for every element (the local step maximises tr(R_k M_k)); leaves what fills up the last
+  /// batch alone. Starts the residual (#V) of the global step with its part −L (V − V₀), L the cotangent Laplacian. Returns
+  /// Σ_k Σ_e c_e (|d_e|² + |u_e|²), the part of the energy that no rotation changes.
+  virtual double gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
+                                   std::vector<LaneRow>& residual) const = 0;
 
-  /// The residual b − L V (#V×3) of the global step L V = b at the positions `output`; L is the cotangent Laplacian for both
-  /// kinds. It is the energy's downhill gradient over twice the number of elements that see each face.
-  void scatterResidual(const std::vector<Mat3>& rotations, const Points& output, Points& residual) const;
-
- private:
-  Mat3 meanRotation(const std::vector<Mat3>& rotations, Index face) const;
-
-  EdgeSetKind kind_;
-  const TriangleMesh& rest_;
-  CornerScalars halfCotangents_;   // #F×3, c_fe
-  Points secondGradient_;          // #F×3, g of corner 1
-  Points thirdGradient_;           // #F×3, g of corner 2; corner 0 has what makes the sum zero
-  double restEnergy_ = 0;          // Σ_k Σ_e c_e |d_e|²
+  /// Adds the part of the turns, Σ (R_k − I) g: the residual is then b − L V, which is the energy's downhill gradient over twice
+  /// the number of elements that see each face. Written in changes it is exactly zero at rest.
+  virtual void addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const = 0;
 };
+
+std::unique_ptr<EdgeSet> makeEdgeSet(EdgeSetKind kind, const TriangleMesh& rest, const CornerScalars& halfCotangents);
+
+/// The gradients g at the three corners of a face, one a column.
+Mat3 cornerGradients(const TriangleMesh& rest, const CornerScalars& halfCotangents, Index face);
 
 }  // namespace whittle

@@ -1,6 +1,7 @@
 #include "geometry/rotation_fit.h"
 
 #include <Eigen/SVD>
+#include <algorithm>
 
 #include "geometry/rotation_newton.h"
 
@@ -11,6 +12,11 @@ namespace {
 constexpr int kMaxNewtonSteps = 8;
 /// |w|² below which the step just taken has left an error of about that size, whose square is what the gain feels.
 constexpr double kConverged = 1e-10;
+/// In single precision; at the maximum the error falls with |w|³.
+constexpr float kConvergedLanes = 1e-5f;
+constexpr float kStill = kTurnOfRounding * kTurnOfRounding;
+/// Size of a covariance that counts as zero.
+constexpr float kSmallest = 1e-30f;
 
 }  // namespace
 
@@ -31,6 +37,34 @@ Mat3 fitRotation(const Mat3& M, const Mat3& guess) {
     if (w.squaredNorm() < kConverged) return orthonormalized(R);
   }
   return fitRotation(M);
+}
+
+ScaledCovariances::ScaledCovariances(const CovarianceLanes& covariances) : M(toSingle(covariances)), scale(splat(kSmallest)) {
+  for (const auto& row : M.m) {
+    for (const Lanes& entry : row) scale = maximum(scale, absolute(entry));
+  }
+  const Lanes inverse = splat(1) / scale;
+  for (auto& row : M.m) {
+    for (Lanes& entry : row) entry *= inverse;
+  }
+}
+
+void fitRotations(const ScaledCovariances& covariances, QuaternionLanes& rotations) {
+  const MatrixLanes& M = covariances.M;
+  LaneMask converged{}, definite = ~converged;
+  for (int step = 0; step < kMaxNewtonSteps && any(definite & ~converged); ++step) {
+    const RotationModelLanes model(toMatrix(rotations) * M);
+    const InverseLanes H(model.H);
+    definite &= H.definite;
+    const VectorLanes w = H.inverse * model.g;
+    const Lanes squaredTurn = dot(w, w);
+    rotations = turned(rotations, keep(definite & ~converged & (squaredTurn > kStill), w));
+    converged |= definite & (squaredTurn < kConvergedLanes);
+  }
+  if (all(converged)) return;
+  for (int lane = 0; lane < 4; ++lane) {
+    if (!converged[lane]) setRotation(rotations, lane, fitRotation(matrixAt(M, lane)));
+  }
 }
 
 }  // namespace whittle

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "base/types.h"
+#include "geometry/lane_algebra.h"
 
 namespace whittle {
 
@@ -35,5 +35,47 @@ inline Mat3 cayley(const Vec3& w) {
 
 /// One Newton step of the polar decomposition: takes off the rounding that a product of many rotations collects.
 inline Mat3 orthonormalized(const Mat3& R) { return 0.5 * R * (3 * Mat3::Identity() - R.transpose() * R); }
+
+/// The same model four at a time.
+struct RotationModelLanes {
+  VectorLanes g;
+  SymmetricLanes H;
+
+  explicit RotationModelLanes(const MatrixLanes& A) {
+    const auto& m = A.m;
+    const Lanes half = splat(0.5f);
+    g = {m[1][2] - m[2][1], m[2][0] - m[0][2], m[0][1] - m[1][0]};
+    H = {m[1][1] + m[2][2],        -half * (m[0][1] + m[1][0]), -half * (m[0][2] + m[2][0]),
+         m[0][0] + m[2][2],        -half * (m[1][2] + m[2][1]), m[0][0] + m[1][1]};
+  }
+};
+
+/// A turn (radians) below which single precision sees only its own rounding: it is left out, so that what is at rest stays there.
+constexpr float kTurnOfRounding = 3e-7f;
+
+inline LaneMask isPositiveDefinite(const SymmetricLanes& H, Lanes determinant, float singular = 1e-6f) {
+  const Lanes trace = H.xx + H.yy + H.zz;
+  return (trace > 0) & (H.xx > 0) & (H.xx * H.yy - H.xy * H.xy > 0) & (determinant > singular * (trace * trace * trace));
+}
+
+inline LaneMask isPositiveDefinite(const SymmetricLanes& H) {
+  const Lanes x = H.yy * H.zz - H.yz * H.yz, y = H.xz * H.yz - H.xy * H.zz, z = H.xy * H.yz - H.xz * H.yy;
+  return isPositiveDefinite(H, H.xx * x + H.xy * y + H.xz * z);
+}
+
+/// H⁻¹ by the adjugate, and in which lanes H is positive definite. In the others the inverse is not to be used.
+struct InverseLanes {
+  SymmetricLanes inverse;
+  LaneMask definite;
+
+  explicit InverseLanes(const SymmetricLanes& H) {
+    const Lanes xx = H.yy * H.zz - H.yz * H.yz, xy = H.xz * H.yz - H.xy * H.zz, xz = H.xy * H.yz - H.xz * H.yy;
+    const Lanes yy = H.xx * H.zz - H.xz * H.xz, yz = H.xy * H.xz - H.xx * H.yz, zz = H.xx * H.yy - H.xy * H.xy;
+    const Lanes determinant = H.xx * xx + H.xy * xy + H.xz * xz;
+    definite = isPositiveDefinite(H, determinant);
+    const Lanes s = splat(1) / determinant;
+    inverse = {s * xx, s * xy, s * xz, s * yy, s * yz, s * zz};
+  }
+};
 
 }  // namespace whittle

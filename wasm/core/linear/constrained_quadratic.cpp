@@ -38,9 +38,13 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   return cholesky_.factorize(freeBlock);
 }
 
-void ConstrainedQuadratic::correct(const Points& residual, Points& X) {
+void ConstrainedQuadratic::correct(const std::vector<LaneRow>& residual, const Points& from, Points& X) {
+  X = from;
   if (free_.empty()) return;
-  for (std::size_t i = 0; i < free_.size(); ++i) correction_.row(i) = residual.row(free_[i]);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const LaneRow& row = residual[free_[i]];
+    correction_.row(i) << row.x, row.y, row.z;
+  }
   cholesky_.solve(correction_);
   for (std::size_t i = 0; i < free_.size(); ++i) X.row(free_[i]) += correction_.row(i);
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/lanes.h"
 #include "linear/sparse_cholesky.h"
 
 namespace whittle {
@@ -15,8 +16,8 @@ class ConstrainedQuadratic {
   /// A is taken over and let go before the factorization, whose memory is the peak. Fails with `numericalFailure`.
   Status prepare(SparseMatrix A, const std::vector<Index>& held);
 
-  /// Moves the free rows of X by the solution of A ΔX = residual, residual = B − A X. Allocates nothing.
-  void correct(const Points& residual, Points& X);
+  /// Moves the free rows of `from` by the solution of A ΔX = residual, residual = B − A X there. Allocates nothing.
+  void correct(const std::vector<LaneRow>& residual, const Points& from, Points& X);
 
  private:
   std::vector<Index> free_;  // rows of X that are solved for

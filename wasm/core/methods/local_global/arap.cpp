@@ -5,14 +5,9 @@
 
 namespace whittle {
 
-double ArapLocalStep::fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool,
-                          std::vector<Mat3>& rotations) {
-  double energy = 0;
-  for (std::size_t k = 0; k < rotations.size(); ++k) {
-    rotations[k] = fitRotation(covariances[k], guess[k]);
-    energy -= rotations[k].cwiseProduct(covariances[k].transpose()).sum();  // tr(R M)
-  }
-  return energy;
+Lanes ArapLocalStep::fit(std::size_t, const ScaledCovariances& covariances, bool, QuaternionLanes& rotations) {
+  fitRotations(covariances, rotations);
+  return splat(0);
 }
 
 MethodInfo arapMethod() {

@@ -9,8 +9,7 @@ namespace whittle {
 class ArapLocalStep : public LocalStep {
  public:
   void prepare(const RestShape&, const Settings&) override {}
-  double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool neverWorse,
-             std::vector<Mat3>& rotations) override;
+  Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 };
 
 /// Registry line of the method `arap`: handles move, the rest follows rigidly.

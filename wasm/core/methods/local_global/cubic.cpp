@@ -12,12 +12,29 @@ namespace {
 enum Parameter { kLambda, kLocalStep, kOwnParameters };
 enum LocalStepChoice { kExact, kAdmm };
 
+/// Goes back to the guess in lanes where it is better.
+void keepBetter(const CubicLanes& vertices, const QuaternionLanes& guess, QuaternionLanes& rotations, Lanes& regularizers) {
+  for (int lane = 0; lane < 4; ++lane) {
+    const CubicVertex vertex = vertexAt(vertices, lane);
+    const Mat3 before = rotationAt(guess, lane);
+    if (vertex.objective(rotationAt(rotations, lane)) >= vertex.objective(before)) continue;
+    setRotation(rotations, lane, before);
+    regularizers[lane] = static_cast<float>(vertex.regularizer(before * vertex.n));
+  }
+}
+
 }  // namespace
 
 void CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
   const double cubeness = settings.numbers[kLambda];  // λ, Eq. 1
-  weights_ = cubeness * rest.areas;
-  normals_ = &rest.normals;
+  const std::size_t batches = batchCount(rest.mesh.vertexCount());
+  normals_.assign(batches, {splat(0), splat(0), splat(0)});
+  weights_ = normals_;
+  for (Index v = 0; v < rest.mesh.vertexCount(); ++v) {
+    const Vec3 n = rest.normals.row(v).transpose();
+    setVector(normals_[v / 4], v % 4, n);
+    if (!n.isZero(0)) setVector(weights_[v / 4], v % 4, Vec3::Constant(cubeness * rest.areas[v]));
+  }
   if (static_cast<int>(settings.numbers[kLocalStep]) == kAdmm) {
     solver_ = std::make_unique<CubicAdmm>();
   } else {
@@ -26,23 +43,12 @@ void CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
   begin();
 }
 
-double CubicLocalStep::fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool neverWorse,
-                           std::vector<Mat3>& rotations) {
-  double energy = 0;
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    const Mat3& M = covariances[i];
-    const Vec3 n = normals_->row(i).transpose();
-    Mat3& R = rotations[i];
-    if (weights_[i] > 0 && !n.isZero(0)) {
-      R = guess[i];
-      solver_->solve(static_cast<Index>(i), M, n, weights_[i], R);
-      if (neverWorse && cubicObjective(M, n, weights_[i], R) < cubicObjective(M, n, weights_[i], guess[i])) R = guess[i];
-    } else {
-      R = fitRotation(M, guess[i]);
-    }
-    energy -= cubicObjective(M, n, weights_[i], R);
-  }
-  return energy;
+Lanes CubicLocalStep::fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) {
+  const CubicLanes vertices{covariances.M, normals_[batch], splat(1) / covariances.scale * weights_[batch]};
+  const QuaternionLanes guess = rotations;
+  Lanes regularizers = solver_->solve(batch, vertices, rotations);
+  if (neverWorse) keepBetter(vertices, guess, rotations, regularizers);
+  return covariances.scale * regularizers;
 }
 
 MethodInfo cubicMethod() {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "methods/local_global/cubic_vertex.h"
+#include "methods/local_global/cubic_solver.h"
 #include "methods/local_global/local_step.h"
 #include "methods/method.h"
 
@@ -13,14 +13,13 @@ namespace whittle {
 class CubicLocalStep : public LocalStep {
  public:
   void prepare(const RestShape& rest, const Settings& settings) override;
-  void begin() override { solver_->begin(weights_); }
-  double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool neverWorse,
-             std::vector<Mat3>& rotations) override;
+  void begin() override { solver_->begin(weights_.size(), weights_); }
+  Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 
  private:
-  Scalars weights_;                  // #V, λ a_i
-  const Points* normals_ = nullptr;  // #V×3, of the rest shape
-  std::unique_ptr<CubicVertexSolver> solver_;
+  std::vector<VectorLanes> normals_;  // of the rest shape, zero where there is none
+  std::vector<VectorLanes> weights_;  // κ = λ a_i on each axis
+  std::unique_ptr<CubicSolver> solver_;
 };
 
 /// Registry line of the method `cubic`.

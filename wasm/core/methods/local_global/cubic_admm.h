@@ -1,14 +1,12 @@
 #pragma once
 
-#include <vector>
-
-#include "methods/local_global/cubic_vertex.h"
+#include "methods/local_global/cubic_solver.h"
 
 namespace whittle {
 
 /// The printed local step (2019, §3.1): scaled ADMM. Penalty and tolerances are scaled with the vertex area, so that fine
 /// meshes are solved as far as coarse ones (the printed constants stop early there).
-class CubicAdmm : public CubicVertexSolver {
+class CubicAdmm : public CubicSolver {
  public:
   struct Tolerances {
     double primal = 1e-5;    // ε_abs of the printed method, on R n and z (of unit length)
@@ -20,17 +18,20 @@ class CubicAdmm : public CubicVertexSolver {
   CubicAdmm() = default;
   explicit CubicAdmm(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
-  void begin(const Scalars& weights) override;
-  void solve(Index vertex, const Mat3& M, const Vec3& n, double weight, Mat3& R) override;
+  void begin(std::size_t batches, const std::vector<VectorLanes>& weights) override;
+  Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) override;
 
- private:
-  /// R n = z, scaled dual u, penalty ρ (Eqs. 4–7).
+  /// R n = z, scaled dual u, penalty ρ as a multiple of κ (Eqs. 4–7).
   struct State {
-    Vec3 z;
-    Vec3 u;
-    double rho;
+    Vec3 z = Vec3::Zero();
+    Vec3 u = Vec3::Zero();
+    double rho = 5;
   };
 
+  /// One vertex in double precision from a rotation R, which is updated.
+  void solve(const CubicVertex& vertex, State& state, Mat3& R) const;
+
+ private:
   Tolerances tolerances_;
   std::vector<State> states_;
 };

@@ -21,13 +21,13 @@ constexpr double kRounding = 1e-9;
 using Kinks = std::array<bool, 3>;
 
 /// The active set of u = clamp(u + s / kKink), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the sign.
-Kinks activeKinks(const Vec3& s, Vec3& u) {
+Kinks activeKinks(const Vec3& s, const Vec3& weights, Vec3& u) {
   const Vec3 shifted = s + kKink * u;
   Index largest;
   s.cwiseAbs().maxCoeff(&largest);  // s is of unit length: not all of it can be zero
   Kinks kinks;
   for (Index j = 0; j < 3; ++j) {
-    kinks[j] = std::abs(shifted[j]) <= kKink && j != largest;
+    kinks[j] = std::abs(shifted[j]) <= kKink && j != largest && weights[j] > 0;
     if (!kinks[j]) u[j] = std::copysign(1.0, j == largest ? s[j] : shifted[j]);
   }
   return kinks;
@@ -35,7 +35,7 @@ Kinks activeKinks(const Vec3& s, Vec3& u) {
 
 /// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns). Fails where the
 /// model has no maximum on the tangent space.
-bool newtonStep(const RotationModel& model, const Vec3& s, const Kinks& kinks, double weight, Vec3& w, Vec3& mu) {
+bool newtonStep(const RotationModel& model, const Vec3& s, const Kinks& kinks, const Vec3& weights, Vec3& w, Vec3& mu) {
   // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent space.
   Mat3 H = model.H;
   Vec3 g = model.g;
@@ -46,8 +46,8 @@ bool newtonStep(const RotationModel& model, const Vec3& s, const Kinks& kinks, d
     if (!kinks[j]) continue;
     c[count] = s.cross(Vec3::Unit(j));
     at[count] = j;
-    H += weight * c[count] * c[count].transpose();
-    g -= weight * s[j] * c[count];
+    H += weights[j] * c[count] * c[count].transpose();
+    g -= weights[j] * s[j] * c[count];
     ++count;
   }
   if (!isPositiveDefinite(H)) return false;
@@ -72,26 +72,28 @@ bool newtonStep(const RotationModel& model, const Vec3& s, const Kinks& kinks, d
 }
 
 /// Whether u ∈ ∂|s|₁ but for rounding, and R maximises tr(R (M − κ n uᵀ)).
-bool isCertified(const Mat3& M, const Vec3& n, double weight, const Vec3& u, const Mat3& R) {
-  const Vec3 s = R * n;
+bool isCertified(const CubicVertex& vertex, const Vec3& u, const Mat3& R) {
+  const Vec3 s = R * vertex.n;
   if (u.lpNorm<Eigen::Infinity>() > 1 + kRounding || s.lpNorm<1>() - u.dot(s) > kRounding) return false;
-  const RotationModel model(R * M - weight * s * u.transpose());
+  const RotationModel model(R * vertex.pulled(u));
   return isPositiveDefinite(model.H) && model.g.norm() <= kRounding * model.H.trace();
 }
 
-bool climb(const Mat3& M, const Vec3& n, double weight, Vec3& u, Mat3& R) {
+bool climb(const CubicVertex& vertex, Vec3& u, Mat3& R) {
   for (int step = 0; step < kMaxNewtonSteps; ++step) {
-    const Vec3 s = R * n;
-    const Kinks kinks = activeKinks(s, u);
-    const RotationModel model(R * M - weight * s * u.transpose());
+    const Vec3 s = R * vertex.n;
+    const Kinks kinks = activeKinks(s, vertex.weights, u);
+    const RotationModel model(R * vertex.pulled(u));
     Vec3 w, mu;
-    if (!newtonStep(model, s, kinks, weight, w, mu)) return false;
+    if (!newtonStep(model, s, kinks, vertex.weights, w, mu)) return false;
     const double turn = w.norm();
     const double share = turn > kLongestTurn ? kLongestTurn / turn : 1;
     R = cayley(share * w) * R;
-    u += share / weight * mu;
+    for (Index j = 0; j < 3; ++j) {
+      if (kinks[j]) u[j] += share * mu[j] / vertex.weights[j];
+    }
     // A wrong active set can be at rest too; the next step then changes it.
-    if (turn * turn < kConverged && isCertified(M, n, weight, u, R)) {
+    if (turn * turn < kConverged && isCertified(vertex, u, R)) {
       R = orthonormalized(R);
       return true;
     }
@@ -101,18 +103,44 @@ bool climb(const Mat3& M, const Vec3& n, double weight, Vec3& u, Mat3& R) {
 
 }  // namespace
 
-bool CubicExact::solveCertified(const Mat3& M, const Vec3& n, double weight, Vec3& u, Mat3& R) {
+bool CubicExact::solveCertified(const CubicVertex& vertex, Vec3& u, Mat3& R) {
   const Mat3 before = R;
-  if (climb(M, n, weight, u, R)) return true;
+  if (climb(vertex, u, R)) return true;
 
   // From the dual's side: any u in the cube has a rotation where the model has its maximum.
-  u = (u.allFinite() ? u : Vec3(before * n)).cwiseMax(-1).cwiseMin(1);
-  R = fitRotation(M - weight * n * u.transpose(), before);
-  if (climb(M, n, weight, u, R)) return true;
+  u = (u.allFinite() ? u : Vec3(before * vertex.n)).cwiseMax(-1).cwiseMin(1);
+  R = fitRotation(vertex.pulled(u), before);
+  if (climb(vertex, u, R)) return true;
 
-  R = searchCubic(M, n, weight, before);
-  u = (R * n).unaryExpr([](double s) { return std::abs(s) < kRounding ? 0 : std::copysign(1.0, s); });
+  R = searchCubic(vertex, before);
+  u = (R * vertex.n).unaryExpr([](double s) { return std::abs(s) < kRounding ? 0 : std::copysign(1.0, s); });
   return false;
+}
+
+Lanes CubicExact::solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) {
+  VectorLanes& u = subgradients_[batch];
+  const VectorLanes uBefore = u;
+  const QuaternionLanes before = rotations;
+  const LaneMask certified = climbLanes(vertices, u, rotations);
+  const VectorLanes s = toMatrix(rotations) * vertices.n;
+  // The Lagrangian's κ·u·s is κ·|s| but for the rounding of the coordinates at a kink.
+  Lanes regularizers = vertices.weights.x * u.x * s.x + vertices.weights.y * u.y * s.y + vertices.weights.z * u.z * s.z;
+  if (all(certified)) return regularizers;
+  for (int lane = 0; lane < 4; ++lane) {
+    if (certified[lane]) continue;
+    const CubicVertex vertex = vertexAt(vertices, lane);
+    Mat3 R = rotationAt(before, lane);
+    Vec3 subgradient = vectorAt(uBefore, lane);
+    if (vertex.weights.isZero(0)) {
+      R = fitRotation(vertex.M);
+    } else {
+      solveCertified(vertex, subgradient, R);
+    }
+    setRotation(rotations, lane, R);
+    setVector(u, lane, subgradient);
+    regularizers[lane] = static_cast<float>(vertex.regularizer(R * vertex.n));
+  }
+  return regularizers;
 }
 
 }  // namespace whittle

@@ -16,21 +16,21 @@ constexpr int kGoldenSteps = 45;
 /// The objective as a function of the turned normal s alone: the turn about s that is left has its best angle in closed form.
 class NormalObjective {
  public:
-  NormalObjective(const Mat3& M, const Vec3& n, double weight)
-      : n_(n),
-        first_(n.unitOrthogonal()),
-        second_(n.cross(first_)),
-        ofNormal_(M.transpose() * n),
-        ofFirst_(M.transpose() * first_),
-        ofSecond_(M.transpose() * second_),
+  explicit NormalObjective(const CubicVertex& vertex)
+      : n_(vertex.n),
+        first_(n_.unitOrthogonal()),
+        second_(n_.cross(first_)),
+        ofNormal_(vertex.M.transpose() * n_),
+        ofFirst_(vertex.M.transpose() * first_),
+        ofSecond_(vertex.M.transpose() * second_),
         cross_(ofFirst_.cross(ofSecond_)),
         squares_(ofFirst_.squaredNorm() + ofSecond_.squaredNorm()),
-        weight_(weight) {}
+        weights_(vertex.weights) {}
 
   double operator()(const Vec3& s) const {
     const double x = s.dot(ofFirst_), y = s.dot(ofSecond_);
     const double inPlane = squares_ - x * x - y * y + 2 * s.dot(cross_);
-    return s.dot(ofNormal_) + std::sqrt(std::max(0.0, inPlane)) - weight_ * s.lpNorm<1>();
+    return s.dot(ofNormal_) + std::sqrt(std::max(0.0, inPlane)) - weights_.dot(s.cwiseAbs());
   }
 
   Mat3 rotation(const Vec3& s) const {
@@ -46,7 +46,7 @@ class NormalObjective {
   Vec3 n_, first_, second_;                   // right-handed
   Vec3 ofNormal_, ofFirst_, ofSecond_, cross_;  // Mᵀ times them
   double squares_;
-  double weight_;
+  Vec3 weights_;
 };
 
 struct Best {
@@ -98,16 +98,16 @@ double localMaximum(const Function& f, double low, double high) {
 
 }  // namespace
 
-Mat3 searchCubic(const Mat3& M, const Vec3& n, double weight, const Mat3& guess) {
-  const NormalObjective objective(M, n, weight);
-  Best best{(guess * n).normalized(), 0};
+Mat3 searchCubic(const CubicVertex& vertex, const Mat3& guess) {
+  const NormalObjective objective(vertex);
+  Best best{(guess * vertex.n).normalized(), 0};
   best.value = objective(best.s);
   for (Index axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) best.offer(sign * Vec3::Unit(axis), objective(sign * Vec3::Unit(axis)));
   }
   for (int octant = 0; octant < 8; ++octant) {
     const Vec3 u(octant & 1 ? 1 : -1, octant & 2 ? 1 : -1, octant & 4 ? 1 : -1);
-    const Vec3 s = (fitRotation(M - weight * n * u.transpose(), guess) * n).normalized();
+    const Vec3 s = (fitRotation(vertex.pulled(u), guess) * vertex.n).normalized();
     best.offer(s, objective(s));
   }
   for (Index j = 0; j < 3; ++j) searchCircle(objective, j, best);

@@ -4,21 +4,16 @@
 
 namespace whittle {
 
-/// One vertex of the cubic local step (2019, Eq. 3): max_R tr(R M) − κ |R n|₁ with κ = λ a, warm from the call before.
-class CubicVertexSolver {
- public:
-  virtual ~CubicVertexSolver() = default;
+/// One vertex of the cubic local step (2019, Eq. 3): max_R tr(R M) − Σ_j κ_j |(R n)_j|, κ = λ a on each axis.
+struct CubicVertex {
+  Mat3 M;
+  Vec3 n;        // unit
+  Vec3 weights;  // κ, not negative
 
-  /// Forgets what earlier calls left. @param weights #V, κ
-  virtual void begin(const Scalars& weights) = 0;
-
-  /// Updates R, a rotation on entry. n is of unit length and κ positive. Allocates nothing.
-  virtual void solve(Index vertex, const Mat3& M, const Vec3& n, double weight, Mat3& R) = 0;
+  double regularizer(const Vec3& s) const { return weights.dot(s.cwiseAbs()); }
+  /// M − n (κ∘u)ᵀ: the fit of it is the dual's maximum for a subgradient u.
+  Mat3 pulled(const Vec3& u) const { return M - n * weights.cwiseProduct(u).transpose(); }
+  double objective(const Mat3& R) const { return R.cwiseProduct(M.transpose()).sum() - regularizer(R * n); }
 };
-
-/// tr(R M) − κ |R n|₁
-inline double cubicObjective(const Mat3& M, const Vec3& n, double weight, const Mat3& R) {
-  return R.cwiseProduct(M.transpose()).sum() - weight * (R * n).lpNorm<1>();
-}
 
 }  // namespace whittle

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/rotation_fit.h"
 #include "geometry/surface.h"
 
 namespace whittle {
@@ -11,9 +12,9 @@ namespace whittle {
 namespace {
 
 /// A step shorter than this (unit frame) is rounding: the shape is at rest.
-constexpr double kNoMove = 1e-13;
-/// Share of the energy that the order of summation decides.
-constexpr double kRounding = 1e-12;
+constexpr double kNoMove = 1e-7;
+/// Share of the energy that the regularizers' single precision decides.
+constexpr double kRounding = 1e-8;
 
 enum SharedParameter { kHandles, kAcceleration, kTolerance, kMaxIterations };
 
@@ -46,14 +47,17 @@ Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, 
 
 void LocalGlobal::prepareRestShape(const TriangleMesh& rest) {
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
-  edges_.emplace(localStep_->edgeSet(), rest);
+  halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
+  edges_ = makeEdgeSet(localStep_->edgeSet(), rest, halfCotangents_);
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
 }
 
 void LocalGlobal::claimRunningState() {
   const Index vertexCount = rest_->mesh.vertexCount();
-  for (auto* matrices : {&guess_, &rotations_, &covariances_}) matrices->assign(edges_->elementCount(), Mat3::Identity());
-  for (auto* points : {&residual_, &previous_}) points->resize(vertexCount, 3);
+  for (auto* rotations : {&guess_, &rotations_}) rotations->assign(batchCount(edges_->elementCount()), identityRotations());
+  covariances_.assign(batchCount(edges_->elementCount()), {});
+  residual_.resize(vertexCount);
+  previous_.resize(vertexCount, 3);
   acceleration_.resize(vertexCount);
 }
 
@@ -63,7 +67,7 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  return system_.prepare(cotangentLaplacian(mesh.triangles, edges_->halfCotangents(), mesh.vertexCount()), held);
+  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held);
 }
 
 void LocalGlobal::begin(Points& positions) {
@@ -71,7 +75,7 @@ void LocalGlobal::begin(Points& positions) {
   acceleration_.begin(accelerationKind_);
   energy_ = std::numeric_limits<double>::infinity();
   localStep_->begin();
-  std::fill(rotations_.begin(), rotations_.end(), Mat3::Identity());
+  std::fill(rotations_.begin(), rotations_.end(), identityRotations());
   applyHandles(handles_, positions);
 }
 
@@ -91,7 +95,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   // Not from an exact local step, but ADMM stops within its tolerance and, for strong pulls, at local maxima.
   if (report.energy > energy_ + kRounding * std::abs(energy_)) report.energy = localStep(positions, true);
   energy_ = report.energy;
-  globalStep(positions);
+  globalStep(acceleration_.start(), positions);
   report.change = relativeDisplacement(positions);
   if (!std::isfinite(report.energy) || !std::isfinite(report.change)) {
     positions = previous_;
@@ -103,13 +107,18 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 }
 
 double LocalGlobal::localStep(const Points& positions, bool neverWorse) {
-  const double fixed = edges_->gatherCovariances(positions, covariances_);
-  return fixed + localStep_->fit(covariances_, guess_, neverWorse, rotations_);
+  double energy = edges_->gatherCovariances(positions, covariances_, residual_);
+  for (std::size_t b = 0; b < rotations_.size(); ++b) {
+    rotations_[b] = guess_[b];
+    const Lanes regularizers = localStep_->fit(b, ScaledCovariances(covariances_[b]), neverWorse, rotations_[b]);
+    energy += sumOf(toDouble(regularizers) - traces(rotations_[b], covariances_[b]));
+  }
+  return energy;
 }
 
-void LocalGlobal::globalStep(Points& positions) {
-  edges_->scatterResidual(rotations_, positions, residual_);
-  system_.correct(residual_, positions);
+void LocalGlobal::globalStep(const Points& from, Points& positions) {
+  edges_->addRotated(rotations_, residual_);
+  system_.correct(residual_, from, positions);
   gauge_->restoreCentroids(positions);
 }
 

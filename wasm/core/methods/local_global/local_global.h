@@ -34,7 +34,8 @@ class LocalGlobal : public Method {
   Status prepareSystem(const Handles& handles);
   /// Fits the rotations to the positions, on demand none of them worse than it was; returns the energy.
   double localStep(const Points& positions, bool neverWorse);
-  void globalStep(Points& positions);
+  /// Moves `from` to the minimum for the rotations.
+  void globalStep(const Points& from, Points& positions);
   /// The longest move of a vertex as a share of the longest way from rest. Of an accelerated iteration both moves must be
   /// short: from where it started, which is what the plain one would report there, and from the iterate before.
   double relativeDisplacement(const Points& positions) const;
@@ -47,7 +48,8 @@ class LocalGlobal : public Method {
 
   // Prepared once per rest shape
   std::optional<RestShape> rest_;
-  std::optional<EdgeSet> edges_;
+  CornerScalars halfCotangents_;
+  std::unique_ptr<EdgeSet> edges_;
   Components components_;
 
   // Prepared once per set of held vertices
@@ -55,10 +57,10 @@ class LocalGlobal : public Method {
   ConstrainedQuadratic system_;
 
   // Running state
-  std::vector<Mat3> guess_;  // rotations of the iteration before, which made the present positions
-  std::vector<Mat3> rotations_;
-  std::vector<Mat3> covariances_;
-  Points residual_;
+  std::vector<QuaternionLanes> guess_;  // rotations of the iteration before, which made the present positions
+  std::vector<QuaternionLanes> rotations_;
+  std::vector<CovarianceLanes> covariances_;
+  std::vector<LaneRow> residual_;
   Points previous_;
   Acceleration acceleration_;
   double energy_ = 0;  // of the point that the last iteration started from

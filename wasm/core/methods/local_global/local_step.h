@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/edge_set.h"
+#include "geometry/rotation_fit.h"
 #include "methods/parameters.h"
 
 namespace whittle {
@@ -27,11 +28,10 @@ class LocalStep {
   /// Forgets what earlier iterations left.
   virtual void begin() {}
 
-  /// Finds every rotation R that is best for its covariance M (tr(R M) is to be large), starting from the guess. Returns
-  /// Σ_k [regularizer of R_k − tr(R_k M_k)]. Allocates nothing.
-  /// @param neverWorse whether no rotation may be worse than its guess, where the policy does not promise that anyway
-  virtual double fit(const std::vector<Mat3>& covariances, const std::vector<Mat3>& guess, bool neverWorse,
-                     std::vector<Mat3>& rotations) = 0;
+  /// Finds the rotations R of four elements that are best for their covariances M (tr(R M) is to be large), starting from those
+  /// given. Returns their regularizers. Allocates nothing.
+  /// @param neverWorse whether no rotation may be worse than it was, where the policy does not promise that anyway
+  virtual Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) = 0;
 };
 
 }  // namespace whittle

@@ -1,0 +1,136 @@
+#include "geometry/vertex_rings.h"
+
+#include <numeric>
+
+namespace whittle {
+
+namespace {
+
+constexpr double kVisits = 3;  // elements that see each face: its corners
+
+typedef double Pair __attribute__((vector_size(16)));
+
+Pair loadPair(const double* p) {
+  Pair v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+/// Faces of each vertex.
+struct Fans {
+  std::vector<Index> start, faces;
+
+  Fans(const Triangles& triangles, Index vertexCount) : start(vertexCount + 1, 0), faces(triangles.size()) {
+    for (Index i = 0; i < triangles.size(); ++i) ++start[triangles.data()[i] + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Index> next(start.begin(), start.end() - 1);
+    for (Index i = 0; i < triangles.size(); ++i) faces[next[triangles.data()[i]]++] = i / 3;
+  }
+};
+
+}  // namespace
+
+VertexRings::VertexRings(const TriangleMesh& rest, const CornerScalars& halfCotangents) {
+  collectRings(rest, halfCotangents);
+  // What makes the energy of the rest shape zero.
+  std::vector<CovarianceLanes> covariances(batchCount(rest.vertexCount()));
+  std::vector<LaneRow> residual(rest.vertexCount());
+  restPull_ = Points::Zero(rest.vertexCount(), 3);
+  const double outputEnergy = gatherCovariances(rest.positions, covariances, residual);
+  for (Index k = 0; k < rest.vertexCount(); ++k) restPull_.row(k) = sumRing(rest.positions, k).pull().transpose();
+  for (Index k = 0; k < rest.vertexCount(); ++k) {
+    for (int i = 0; i < 3; ++i) restEnergy_ += covariances[k / 4].m[i][i][k % 4];
+  }
+  restEnergy_ -= outputEnergy;
+}
+
+void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& halfCotangents) {
+  const Index vertexCount = rest.vertexCount();
+  const Fans fans(rest.triangles, vertexCount);
+  std::vector<Index> place(vertexCount, -1);  // of a vertex in `neighbour_`, if it is in this ring
+  std::vector<Eigen::Vector4d> ring;
+  start_.assign(1, 0);
+  neighbour_.reserve(rest.triangles.size());
+  spokes_.reserve(rest.triangles.size());
+  for (Index k = 0; k < vertexCount; ++k) {
+    ring.clear();
+    for (Index p = fans.start[k]; p < fans.start[k + 1]; ++p) {
+      const Index f = fans.faces[p];
+      const Mat3 g = cornerGradients(rest, halfCotangents, f) / kVisits;
+      for (int corner = 0; corner < 3; ++corner) {
+        const Index j = rest.triangles(f, corner);
+        if (j == k) continue;
+        if (place[j] < start_[k]) {
+          place[j] = static_cast<Index>(neighbour_.size());
+          neighbour_.push_back(j);
+          ring.push_back(Eigen::Vector4d::Zero());
+        }
+        const int opposite = rest.triangles(f, (corner + 1) % 3) == k ? (corner + 2) % 3 : (corner + 1) % 3;
+        ring[place[j] - start_[k]] += Eigen::Vector4d(g(0, corner), g(1, corner), g(2, corner), halfCotangents(f, opposite));
+      }
+    }
+    for (const Eigen::Vector4d& sum : ring) {
+      const Eigen::Vector4f s = sum.cast<float>();
+      spokes_.push_back({s[0], s[1], s[2], s[3]});
+    }
+    start_.push_back(static_cast<Index>(neighbour_.size()));
+  }
+}
+
+VertexRings::RingSums VertexRings::sumRing(const Points& output, Index k) const {
+  const double* xk = output.data() + 3 * static_cast<std::ptrdiff_t>(k);
+  const Pair kxy = loadPair(xk), kyz = loadPair(xk + 1);
+  RingSums sums{};
+  for (Index p = start_[k]; p < start_[k + 1]; ++p) {
+    const Spoke& spoke = spokes_[p];
+    const double* xj = output.data() + 3 * static_cast<std::ptrdiff_t>(neighbour_[p]);
+    const Pair uxy = loadPair(xj) - kxy, uyz = loadPair(xj + 1) - kyz;
+    const double factors[] = {spoke.x, spoke.y, spoke.z, spoke.weight};
+    for (int i = 0; i < 4; ++i) sums.xy[i] += factors[i] * uxy, sums.yz[i] += factors[i] * uyz;
+  }
+  return sums;
+}
+
+double VertexRings::gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
+                                      std::vector<LaneRow>& residual) const {
+  constexpr double kScale = 2 * kVisits;
+  double outputEnergy = 0;
+  for (Index k = 0; k < elementCount(); ++k) {
+    const RingSums sums = sumRing(output, k);
+    for (int i = 0; i < 3; ++i) {
+      auto& row = covariances[k / 4].m[i];
+      row[0][k % 4] = kScale * sums.xy[i][0], row[1][k % 4] = kScale * sums.xy[i][1], row[2][k % 4] = kScale * sums.yz[i][1];
+    }
+    const Vec3 pull = sums.pull();
+    setRow(residual[k], pull - restPull_.row(k).transpose());
+    outputEnergy -= output.row(k) * pull;
+  }
+  return restEnergy_ + kVisits * outputEnergy;
+}
+
+void VertexRings::addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const {
+  const Index vertexCount = elementCount();
+  for (Index k = 0; k < vertexCount; k += 4) {
+    const MatrixLanes R = turnOf(rotations[k / 4]);
+    Lanes columns[3][4];
+    for (int c = 0; c < 3; ++c) {
+      columns[c][0] = R.m[0][c], columns[c][1] = R.m[1][c], columns[c][2] = R.m[2][c], columns[c][3] = splat(0);
+      transpose(columns[c][0], columns[c][1], columns[c][2], columns[c][3]);
+    }
+    for (Index lane = 0; lane < std::min<Index>(4, vertexCount - k); ++lane) {
+      const Lanes x = columns[0][lane], y = columns[1][lane], z = columns[2][lane];
+      Lanes own = splat(0);
+      for (Index p = start_[k + lane]; p < start_[k + lane + 1]; ++p) {
+        const Spoke& spoke = spokes_[p];
+        const Lanes rotated = spoke.x * x + spoke.y * y + spoke.z * z;
+        LaneRow* row = &residual[neighbour_[p]];
+        store(row, load(row) + rotated);
+        own += rotated;
+      }
+      LaneRow* row = &residual[k + lane];
+      store(row, load(row) - own);
+    }
+  }
+}
+
+}  // namespace whittle

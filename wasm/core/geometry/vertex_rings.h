@@ -1,0 +1,44 @@
+#pragma once
+
+#include "geometry/edge_set.h"
+
+namespace whittle {
+
+/// Spokes and rims in ring form: Ĝ_kj = ⅓ Σ g_fj over the faces f that k and j share, so that M_k = 6 Σ_j Ĝ_kj (x_j − x_k)ᵀ and
+/// b_j = Σ_k R_k Ĝ_kj, over the ring of each vertex.
+class VertexRings : public EdgeSet {
+ public:
+  VertexRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
+
+  Index elementCount() const override { return static_cast<Index>(start_.size()) - 1; }
+  double gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
+                           std::vector<LaneRow>& residual) const override;
+  void addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const override;
+
+ private:
+  typedef double Pair __attribute__((vector_size(16)));
+
+  /// Rounded to single precision; the energy is the one of the rounded numbers, exactly.
+  struct alignas(16) Spoke {
+    float x, y, z;  // Ĝ_kj
+    float weight;   // w_kj = Σ c, as in the Laplacian
+  };
+
+  /// Σ_j Ĝ_kj (x_j − x_k)ᵀ, row by row, and Σ_j w_kj (x_j − x_k) = −L V at a vertex, as two overlapping pairs of columns.
+  struct RingSums {
+    Pair xy[4], yz[4];
+
+    Vec3 pull() const { return {xy[3][0], xy[3][1], yz[3][1]}; }
+  };
+
+  RingSums sumRing(const Points& output, Index k) const;
+  void collectRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
+
+  std::vector<Index> start_;      // #V + 1
+  std::vector<Index> neighbour_;  // j, ring by ring
+  std::vector<Spoke> spokes_;     // beside `neighbour_`
+  Points restPull_;               // #V×3, −L V₀
+  double restEnergy_ = 0;         // Σ_k Σ_e c_e |d_e|²
+};
+
+}  // namespace whittle

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "geometry/lane_algebra.h"
+
+namespace whittle {
+
+/// Four vertices of the cubic local step, in single precision; M is of size about 1 (see `ScaledCovariances`) and κ in the same units. A vertex
+/// without cubeness or without a normal has no weights.
+struct CubicLanes {
+  MatrixLanes M;
+  VectorLanes n;
+  VectorLanes weights;  // κ
+};
+
+/// The semismooth Newton method of `CubicExact` on four vertices, from rotations and subgradients that are updated. Returns the
+/// lanes whose result is certified to single precision; there, coordinates of R n at a kink are zero but for rounding.
+LaneMask climbLanes(const CubicLanes& vertices, VectorLanes& subgradients, QuaternionLanes& rotations);
+
+}  // namespace whittle
