@@ -66,12 +66,13 @@ function tooMany(): WhittleError {
 function requireConvex(surface: Surface, directions: readonly Direction[]): void {
   const { positions, triangles } = surface;
   const size = diagonal(positions);
+  const vertices = Uint32Array.from(new Set(triangles));
   let worst = { share: 0, face: -1 };
   for (const { areaVector, faces } of directions) {
     const normal = unit(areaVector);
     const heightOf = (vertex: number): number => dot(normal, row(positions, vertex));
     let top = -Infinity;
-    for (const vertex of triangles) top = Math.max(top, heightOf(vertex));
+    for (const vertex of vertices) top = Math.max(top, heightOf(vertex));
     for (const face of faces) {
       const mean = [0, 1, 2].reduce((sum, k) => sum + heightOf(triangles[3 * face + k]!) / 3, 0);
       const share = (top - mean) / size;

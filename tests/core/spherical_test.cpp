@@ -157,6 +157,13 @@ TEST_CASE("turned inside out it flows just as well, and the same input gives the
   CHECK((flow(mesh).positions - result.positions).rowwise().norm().maxCoeff() < 1e-6);
 }
 
+TEST_CASE("natively and as wasm the flow takes the same steps to the same end") {
+  const Flow result = flow(bumpyLong(4));
+  CHECK(std::abs(static_cast<int>(result.energies.size()) - 54) <= 1);
+  CHECK(result.energies.back() == doctest::Approx(1.00193473).epsilon(1e-6));
+  CHECK(result.positions.row(100).norm() == doctest::Approx(1.446803904).epsilon(1e-5));
+}
+
 TEST_CASE("the iteration limit leaves the surface on its way") {
   const TriangleMesh mesh = bumpyLong(3);
   CHECK(flow(mesh, 1e-3, 0).positions == mesh.positions);
@@ -204,6 +211,26 @@ TEST_CASE("what cannot become a sphere is refused in words") {
     CHECK(status.code == Code::unsuitableMesh);
     CHECK_MESSAGE(status.message.find(words) != std::string::npos, status.message);
   }
+}
+
+TEST_CASE("what ends folded is refused, and the positions are those before") {
+  TriangleMesh horseshoe = longBox(30, 3);
+  for (Index v = 0; v < horseshoe.vertexCount(); ++v) {
+    const Vec3 p = horseshoe.positions.row(v).transpose();
+    const double turn = 0.5 * p.x(), radius = 2 + p.y();
+    horseshoe.positions.row(v) << radius * std::sin(turn), radius * std::cos(turn), p.z();
+  }
+  Session session;
+  REQUIRE(session.load(horseshoe).ok());
+  REQUIRE(session.select("spherical").ok());
+  REQUIRE(session.setNumber("tolerance", 1).ok());  // stops at once, far from a sphere
+  StepReport report;
+  const Status status = session.step(report);
+  CHECK(status.code == Code::numericalFailure);
+  CHECK_MESSAGE(status.message.find(" faces over; ") != std::string::npos, status.message);
+  Points positions(horseshoe.vertexCount(), 3);
+  session.copyPositions(positions.data());
+  CHECK(positions == horseshoe.positions);
 }
 
 TEST_CASE("a refusal is not forgotten, and its element is where the fault is") {

@@ -45,9 +45,8 @@ struct Faults {
   void add(const DirectedEdge& edge) {
     if (count++ == 0) first = edge;
   }
-  std::string place() const {
-    return "the first from vertex " + std::to_string(first.from) + " to vertex " + std::to_string(first.to);
-  }
+  std::string vertex() const { return "the first at vertex " + std::to_string(first.from); }
+  std::string face() const { return "the first at face " + std::to_string(first.face); }
 };
 
 /// Every edge must have two faces that pass it in opposite directions.
@@ -60,18 +59,18 @@ Status requireClosed(const std::vector<DirectedEdge>& edges) {
     if (next - e == 2 && edges[e].from == edges[e + 1].from) turned.add(edges[e]);
   }
   if (open.count > 0) {
-    return refuse("the surface is open along " + counted(open.count, "edge", "edges") + ", " + open.place() +
+    return refuse("the surface is open along " + counted(open.count, "edge", "edges") + ", " + open.vertex() +
                       "; close its holes, only a closed surface can become a sphere",
                   open.first.from);
   }
   if (crowded.count > 0) {
-    return refuse(counted(crowded.count, "edge joins", "edges join") + " three faces or more, " + crowded.place() +
+    return refuse(counted(crowded.count, "edge joins", "edges join") + " three faces or more, " + crowded.vertex() +
                       "; remove the inner faces so that one closed skin is left",
                   crowded.first.from);
   }
   if (turned.count > 0) {
     return refuse("neighbouring faces disagree about the outside along " + counted(turned.count, "edge", "edges") + ", " +
-                      turned.place() + "; make the face directions consistent",
+                      turned.face() + "; make the face directions consistent",
                   turned.first.face);
   }
   return {};
