@@ -12,7 +12,7 @@ export const spherical: MethodDescriptor = {
       name: 'timeStep',
       kind: 'number',
       label: 'Time step',
-      doc: 'τ of the flow at area 1: smaller follows it more closely and takes more iterations.',
+      doc: 'τ of the flow at area 1: smaller follows it more closely and takes more iterations. It grows to its tenfold on the way.',
       invalidates: 'targets',
       advanced: true,
       default: 1e-3,
