@@ -233,6 +233,18 @@ TEST_CASE("what ends folded is refused, and the positions are those before") {
   CHECK(positions == horseshoe.positions);
 }
 
+TEST_CASE("a mesh too coarse to tell a sphere from a needle is refused in the end") {
+  Session session;
+  REQUIRE(session.load(longBox(8, 1)).ok());
+  REQUIRE(session.select("spherical").ok());
+  REQUIRE(session.setNumber("maxIterations", 1000).ok());
+  StepReport report;
+  Status status;
+  while (status.ok() && report.outcome == Outcome::running) status = session.step(report);
+  CHECK(status.code == Code::numericalFailure);
+  CHECK_MESSAGE(status.message.find("needle; subdivide") != std::string::npos, status.message);
+}
+
 TEST_CASE("a refusal is not forgotten, and its element is where the fault is") {
   Session session;
   TriangleMesh mesh = sphere(2);

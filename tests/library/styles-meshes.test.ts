@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { normalsOfConvex } from '../../src/styles/convex-normals.ts';
 import { jessen } from '../../src/styles/jessen.ts';
 import { oloid } from '../../src/styles/oloid.ts';
 import { findPrimitive } from '../../src/styles/primitives.ts';
+import { refined } from '../../src/styles/refined.ts';
 import { sphereNormals } from '../../src/styles/sphere-normals.ts';
 import { capsule, findStyleMesh, styleMeshIds, tractricoid } from '../../src/styles/style-meshes.ts';
 import { areaVectors, type Surface, volume } from '../../src/styles/surface.ts';
@@ -87,6 +89,30 @@ describe('the shapes are what their names say', () => {
   it('capsule and tractricoid: volumes by formula', () => {
     expect(volume(capsule(0.03))).toBeCloseTo(Math.PI * (2 + 4 / 3), 1);
     expect(volume(tractricoid(0.02, 0.02))).toBeCloseTo((2 * Math.PI) / 3, 1);
+  });
+});
+
+describe('refined for the flow', () => {
+  it.each(['cube', 'tetrahedron', 'square-pyramid', 'hexagonal-prism'])(
+    'a %s becomes a sphere',
+    async (id) => {
+      const { mesh, normals } = findPrimitive(id)!;
+      const fine = refined(mesh);
+      expect(fine.positions.length / 3).toBeGreaterThanOrEqual(2000);
+      expect(isClosedAndOriented(fine)).toBe(true);
+      expect(volume(fine)).toBeCloseTo(volume(mesh), 10);
+      expect(normalsOfConvex(fine).length).toBe(normals.length);
+      const { points, triangles } = sphereNormals(fine, await flowed(fine));
+      expect(volume({ positions: points, triangles })).toBeGreaterThan(4);
+    },
+  );
+
+  it('leaves a mesh of enough vertices as it is', () => {
+    const { mesh } = findStyleMesh('oloid')!;
+    expect(refined(mesh).triangles.length).toBe(mesh.triangles.length);
+    expect(refined({ positions: new Float64Array(0), triangles: new Uint32Array(0) }).triangles.length).toBe(
+      0,
+    );
   });
 });
 

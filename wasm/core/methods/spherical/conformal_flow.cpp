@@ -19,12 +19,15 @@ enum Parameter { kTimeStep, kTolerance, kMaxIterations };
 /// bears longer steps. The same sphere to within the mesh's own error, in a quarter of the steps.
 constexpr double kGrowth = 1.1;
 constexpr double kMostGrowth = 10;
-/// Dirichlet energy over area from which the end of the flow is no sphere but a needle.
+/// Dirichlet energy over area from which the end of the flow is no sphere but a needle. On the way, long shapes reach some
+/// hundreds and come back; from more there is no return. That happens where lumped areas cannot tell a sphere from an
+/// ellipsoid: eight corners of a cube, or very uneven triangles.
 constexpr double kNeedle = 2;
+constexpr double kNoReturn = 1e4;
 
 Status lost(const std::string& how) {
   return Status::failure(Code::numericalFailure,
-                         "the flow to the sphere " + how + "; lower timeStep, or remesh the thin faces more evenly");
+                         "the flow to the sphere " + how + "; subdivide the mesh or remesh it more evenly, or lower timeStep");
 }
 
 Vec3 areaCentroid(const Points& positions, const Scalars& areas) {
@@ -69,7 +72,7 @@ Status ConformalFlow::step(Points& positions, StepReport& report) {
   const double area = areas_.sum();
   gradient_.noalias() = laplacian_.selfadjointView<Eigen::Lower>() * positions;
   report.energy = 0.5 * gradient_.cwiseProduct(positions).sum() / area;
-  Status status = flow(positions, area);
+  Status status = report.energy < kNoReturn ? flow(positions, area) : lost("drew the surface out to a needle");
   if (status.ok()) {
     report.change = meanSquaredMove(positions, area);
     ++iterations_;
