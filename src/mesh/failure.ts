@@ -12,6 +12,7 @@ export const failureCodes = [
   'not-finite',
   'zero-extent',
   'too-large',
+  'unsuitable-mesh',
   // The request cannot be carried out
   'unknown-method',
   'bad-parameter',

@@ -137,6 +137,18 @@ describe('the core’s border', () => {
     session.free();
   });
 
+  test('a method refuses what is not for it with its own code', async () => {
+    const session = (await testCore()).open();
+    const { positions, triangles } = icosphere(2);
+    session.load(positions, triangles.slice(3));
+    session.configure('spherical', {});
+    expect(() => session.prepare()).toThrowError(
+      /open along 3 edges, the first at vertex \d+; close its holes/,
+    );
+    expect(() => session.prepare()).toThrowError(expect.objectContaining({ code: 'unsuitable-mesh' }));
+    session.free();
+  });
+
   test('memory at 88k vertices stays below 1.5 KB a vertex', async () => {
     const { loadCore } = await import('../../src/engine/core.ts');
     const { readFileSync } = await import('node:fs');

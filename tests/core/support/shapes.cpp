@@ -82,6 +82,35 @@ TriangleMesh moebiusStrip(int n) {
   return assemble(points, faces);
 }
 
+TriangleMesh longBox(int along, int across) {
+  const std::array<int, 3> cells = {along, across, across};
+  std::map<std::array<int, 3>, Index> known;
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> faces;
+  const auto vertex = [&](const std::array<int, 3>& at) {
+    const auto [entry, isNew] = known.try_emplace(at, static_cast<Index>(points.size()));
+    if (isNew) points.push_back(Vec3(at[0], at[1], at[2]) / across);
+    return entry->second;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, w = (axis + 2) % 3;
+    for (int i = 0; i < 2 * cells[u] * cells[w]; ++i) {
+      const bool far = i % 2;
+      std::array<int, 3> corner{};
+      corner[axis] = far ? cells[axis] : 0;
+      Index quad[4];
+      for (int k = 0; k < 4; ++k) {  // counter-clockwise seen from the end of the axis
+        corner[u] = i / 2 % cells[u] + (k == 1 || k == 2);
+        corner[w] = i / 2 / cells[u] + (k >= 2);
+        quad[far ? k : 3 - k] = vertex(corner);
+      }
+      faces.push_back({quad[0], quad[1], quad[2]});
+      faces.push_back({quad[0], quad[2], quad[3]});
+    }
+  }
+  return assemble(points, faces);
+}
+
 TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, const Vec3& offset) {
   TriangleMesh mesh{Points(first.vertexCount() + second.vertexCount(), 3),
                     Triangles(first.faceCount() + second.faceCount(), 3)};

@@ -15,6 +15,9 @@ TriangleMesh grid(int n);
 /// A Möbius strip: one side, one boundary.
 TriangleMesh moebiusStrip(int n);
 
+/// The skin of a box of `along`×`across`×`across` cells, each a cube of side 1/`across`.
+TriangleMesh longBox(int along, int across);
+
 /// One mesh of two, the second moved by `offset`.
 TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, const Vec3& offset);
 

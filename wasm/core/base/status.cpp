@@ -10,6 +10,7 @@ const char* codeName(Code code) {
     case Code::notFinite: return "not-finite";
     case Code::zeroExtent: return "zero-extent";
     case Code::tooLarge: return "too-large";
+    case Code::unsuitableMesh: return "unsuitable-mesh";
     case Code::unknownMethod: return "unknown-method";
     case Code::badParameter: return "bad-parameter";
     case Code::badHandles: return "bad-handles";

@@ -15,6 +15,7 @@ enum class Code {
   notFinite,
   zeroExtent,
   tooLarge,
+  unsuitableMesh,
   unknownMethod,
   badParameter,
   badHandles,

@@ -4,6 +4,7 @@
 
 #include "methods/local_global/arap.h"
 #include "methods/local_global/cubic.h"
+#include "methods/spherical/conformal_flow.h"
 
 namespace whittle {
 
@@ -36,7 +37,7 @@ std::string describe(const ParameterInfo& info) {
 }  // namespace
 
 const std::vector<MethodInfo>& methodRegistry() {
-  static const std::vector<MethodInfo> methods = {cubicMethod(), arapMethod()};
+  static const std::vector<MethodInfo> methods = {cubicMethod(), arapMethod(), sphericalMethod()};
   return methods;
 }
 

@@ -1,0 +1,143 @@
+#include "methods/spherical/conformal_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geometry/cotangent.h"
+#include "geometry/surface.h"
+#include "methods/spherical/moebius.h"
+#include "methods/spherical/sphere_topology.h"
+
+namespace whittle {
+
+namespace {
+
+enum Parameter { kTimeStep, kTolerance, kMaxIterations };
+
+/// How τ grows with each step, and how far. The path to the sphere is decided early; the long way of the rounder surface
+/// bears longer steps. The same sphere to within the mesh's own error, in a quarter of the steps.
+constexpr double kGrowth = 1.1;
+constexpr double kMostGrowth = 10;
+/// Dirichlet energy over area from which the end of the flow is no sphere but a needle. On the way, long shapes reach some
+/// hundreds and come back; from more there is no return. That happens where lumped areas cannot tell a sphere from an
+/// ellipsoid: eight corners of a cube, or very uneven triangles.
+constexpr double kNeedle = 2;
+constexpr double kNoReturn = 1e4;
+
+Status lost(const std::string& how) {
+  return Status::failure(Code::numericalFailure,
+                         "the flow to the sphere " + how + "; subdivide the mesh or remesh it more evenly, or lower timeStep");
+}
+
+Vec3 areaCentroid(const Points& positions, const Scalars& areas) {
+  return positions.transpose() * areas / areas.sum();
+}
+
+}  // namespace
+
+Status ConformalFlow::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
+  if (stale == Stale::nothing) return {};
+  firstTimeStep_ = settings.numbers[kTimeStep];
+  tolerance_ = settings.numbers[kTolerance];
+  maxIterations_ = static_cast<int>(settings.numbers[kMaxIterations]);
+  if (stale < Stale::all) return {};
+  Status status = requireSphere(rest);
+  if (status.ok()) prepareRestShape(rest);
+  return status;
+}
+
+void ConformalFlow::prepareRestShape(const TriangleMesh& rest) {
+  rest_ = &rest;
+  areas_ = barycentricAreas(rest.positions, rest.triangles);
+  restArea_ = areas_.sum();
+  restCentroid_ = areaCentroid(rest.positions, areas_);
+  const CornerScalars cotangents = halfCotangents(rest.positions, rest.triangles);
+  laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount()).triangularView<Eigen::Lower>();
+  laplacian_.makeCompressed();
+  system_ = laplacian_;
+  cholesky_.analyze(system_);
+  for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest.vertexCount(), 3);
+}
+
+void ConformalFlow::begin(Points&) { iterations_ = 0; }
+
+Status ConformalFlow::step(Points& positions, StepReport& report) {
+  if (iterations_ >= maxIterations_) {
+    report = {Outcome::iterationLimit, 0, 0};
+    return {};
+  }
+  previous_ = positions;
+  areas_ = barycentricAreas(positions, rest_->triangles);
+  const double area = areas_.sum();
+  gradient_.noalias() = laplacian_.selfadjointView<Eigen::Lower>() * positions;
+  report.energy = 0.5 * gradient_.cwiseProduct(positions).sum() / area;
+  Status status = report.energy < kNoReturn ? flow(positions, area) : lost("drew the surface out to a needle");
+  if (status.ok()) {
+    report.change = meanSquaredMove(positions, area);
+    ++iterations_;
+    report.outcome = report.change <= tolerance_            ? Outcome::converged
+                     : iterations_ >= maxIterations_ ? Outcome::iterationLimit
+                                                     : Outcome::running;
+    if (report.outcome == Outcome::converged) status = report.energy < kNeedle ? project(positions) : lost("ended as a needle");
+  }
+  if (!status.ok()) positions = previous_;
+  return status;
+}
+
+double ConformalFlow::timeStep() const {
+  return firstTimeStep_ * std::min(kMostGrowth, std::pow(kGrowth, iterations_));
+}
+
+Status ConformalFlow::flow(Points& positions, double area) {
+  const double tau = timeStep() * area;
+  system_.coeffs() = tau * laplacian_.coeffs();
+  // Sorted columns of a lower triangle begin with the diagonal. A vertex without a face has no area and stays.
+  for (Index v = 0; v < areas_.size(); ++v) system_.valuePtr()[system_.outerIndexPtr()[v]] += areas_[v] > 0 ? areas_[v] : 1;
+  Status status = cholesky_.factorize(system_);
+  if (!status.ok()) return status;
+  correction_ = -tau * gradient_;
+  cholesky_.solve(correction_);
+  positions += correction_;
+  restoreFrame(positions);
+  return positions.allFinite() ? Status{} : lost("lost its numbers");
+}
+
+void ConformalFlow::restoreFrame(Points& positions) const {
+  const Scalars areas = barycentricAreas(positions, rest_->triangles);
+  const Vec3 centroid = areaCentroid(positions, areas);
+  const double scale = std::sqrt(restArea_ / areas.sum());
+  for (Index v = 0; v < positions.rows(); ++v) {
+    if (areas_[v] == 0) continue;
+    positions.row(v) = restCentroid_.transpose() + scale * (positions.row(v) - centroid.transpose());
+  }
+}
+
+double ConformalFlow::meanSquaredMove(const Points& positions, double area) {
+  correction_ = (positions - previous_) / std::sqrt(area);
+  gradient_ = (previous_.rowwise() - restCentroid_.transpose()).rowwise().normalized();
+  return meanSquareButBoost(areas_, gradient_, correction_);
+}
+
+Status ConformalFlow::project(Points& positions) const {
+  Points directions = (positions.rowwise() - restCentroid_.transpose()).rowwise().normalized();
+  const Scalars weights = barycentricAreas(rest_->positions, rest_->triangles);
+  balanceOnSphere(weights, directions);
+  const double radius = std::sqrt(restArea_ / (4 * EIGEN_PI));
+  for (Index v = 0; v < positions.rows(); ++v) {
+    if (weights[v] > 0) positions.row(v) = restCentroid_.transpose() + radius * directions.row(v);
+  }
+  const Index folded = countFolded(rest_->triangles, positions, restCentroid_);
+  if (folded == 0) return {};
+  return lost("folded " + std::to_string(folded) + (folded == 1 ? " face over" : " faces over"));
+}
+
+MethodInfo sphericalMethod() {
+  return {"spherical",
+          {{"timeStep", ParameterKind::number, Stale::targets, 1e-3, 1e-6, 1},
+           {"tolerance", ParameterKind::number, Stale::targets, 1e-9, 0, 1},
+           {"maxIterations", ParameterKind::integer, Stale::targets, 300, 0, 1e6}},
+          [] { return std::unique_ptr<Method>(std::make_unique<ConformalFlow>()); }};
+}
+
+}  // namespace whittle
