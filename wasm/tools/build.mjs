@@ -3,7 +3,7 @@ import { probe, runQuietly } from './run.mjs';
 import { fingerprint, isFresh, markFresh } from './stamps.mjs';
 
 const sources = ['wasm/CMakeLists.txt', 'wasm/cmake', 'wasm/core', 'wasm/bindings'];
-const testSources = [...sources, 'tests/core'];
+const testSources = [...sources, 'wasm/yardstick', 'tests/core'];
 
 /** Builds the wasm module into wasm/dist. */
 export function buildWasm() {
