@@ -40,12 +40,17 @@ TriangleMesh awkward() {
   return mesh;
 }
 
-std::vector<std::pair<std::string, TriangleMesh>> meshes() {
-  std::vector<std::pair<std::string, TriangleMesh>> all = {{"sphere", bent(sphere(3))},
-                                                           {"grid", bent(grid(9))},
-                                                           {"Moebius strip", moebiusStrip(24)},
-                                                           {"two parts", together(bent(sphere(2)), bent(grid(6)), {3, 1, 0})},
-                                                           {"awkward", awkward()}};
+struct NamedMesh {
+  std::string name;
+  TriangleMesh mesh;
+};
+
+std::vector<NamedMesh> meshes() {
+  std::vector<NamedMesh> all = {{"sphere", bent(sphere(3))},
+                                {"grid", bent(grid(9))},
+                                {"Moebius strip", moebiusStrip(24)},
+                                {"two parts", together(bent(sphere(2)), bent(grid(6)), {3, 1, 0})},
+                                {"awkward", awkward()}};
   for (auto& [name, mesh] : all) mesh = inUnitFrame(std::move(mesh));
   return all;
 }
@@ -136,8 +141,9 @@ TEST_CASE("yardstick: rotations and their ADMM are what they say") {
 }
 
 TEST_CASE("yardstick: ARAP with handles goes the same way") {
-  for (const auto& [name, mesh] : meshes()) {
-    CAPTURE(name);
+  for (const NamedMesh& each : meshes()) {
+    CAPTURE(each.name);
+    const TriangleMesh& mesh = each.mesh;
     const Handles handles = pulled(mesh);
     for (const int iterations : {1, 15}) {
       const Points ours = after(iterations, mesh, {"arap", 0, "", handles});
@@ -147,8 +153,9 @@ TEST_CASE("yardstick: ARAP with handles goes the same way") {
 }
 
 TEST_CASE("yardstick: the cubic energy is the papers'") {
-  for (const auto& [name, mesh] : meshes()) {
-    CAPTURE(name);
+  for (const NamedMesh& each : meshes()) {
+    CAPTURE(each.name);
+    const TriangleMesh& mesh = each.mesh;
     const Setup setup{"cubic", 0.4};
     Session session;
     begin(session, mesh, setup);
@@ -162,8 +169,9 @@ TEST_CASE("yardstick: the cubic energy is the papers'") {
 }
 
 TEST_CASE("yardstick: the exact step goes the way of an ADMM run to its end") {
-  for (const auto& [name, mesh] : meshes()) {
-    CAPTURE(name);
+  for (const NamedMesh& each : meshes()) {
+    CAPTURE(each.name);
+    const TriangleMesh& mesh = each.mesh;
     for (const Handles& handles : {Handles{}, pulled(mesh)}) {
       const Points plain = plainAfter(4, mesh, {0.4, handles, AdmmConstants::tight()});
       CHECK(largestMove(after(4, mesh, {"cubic", 0.4, "exact", handles}), plain) < kSinglePrecision);
@@ -173,11 +181,12 @@ TEST_CASE("yardstick: the exact step goes the way of an ADMM run to its end") {
 
 TEST_CASE("yardstick: cubic ends no higher than the printed iteration") {
   constexpr int kIterations = 60;
-  for (const auto& [name, mesh] : meshes()) {
+  for (const NamedMesh& each : meshes()) {
+    CAPTURE(each.name);
+    const TriangleMesh& mesh = each.mesh;
     for (const Handles& handles : {Handles{}, pulled(mesh)}) {
       const Points plain = plainAfter(kIterations, mesh, {0.4, handles});
       for (const std::string localStep : {"exact", "admm"}) {
-        CAPTURE(name);
         CAPTURE(localStep);
         CAPTURE(handles.vertices.size());
         const Setup setup{"cubic", 0.4, localStep, handles};
@@ -191,8 +200,9 @@ TEST_CASE("yardstick: cubic ends no higher than the printed iteration") {
 
 TEST_CASE("yardstick: linear solves agree with Eigen's in double precision") {
   Noise noise;
-  for (const auto& [name, mesh] : meshes()) {
-    CAPTURE(name);
+  for (const NamedMesh& each : meshes()) {
+    CAPTURE(each.name);
+    const TriangleMesh& mesh = each.mesh;
     const SparseMatrix L =
         cotangentLaplacian(mesh.triangles, halfCotangents(mesh.positions, mesh.triangles), mesh.vertexCount());
     std::vector<Index> held = {0, 5};

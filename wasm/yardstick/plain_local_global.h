@@ -32,6 +32,9 @@ class PlainLocalGlobal {
   bool factorize();
   bool prepare();
 
+  /// The system without its held rows and columns, #free×#free.
+  const SparseMatrix& freeBlock() const { return freeBlock_; }
+
   /// Puts the handles in their places and forgets earlier iterations.
   void begin(Points& positions);
 
