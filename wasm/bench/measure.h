@@ -49,7 +49,7 @@ class Json {
  public:
   Json& add(const char* key, double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.10g", value);
+    std::snprintf(text, sizeof text, "%.17g", value);
     return raw(key, text);
   }
   Json& add(const char* key, const std::string& text) { return raw(key, "\"" + text + "\""); }

@@ -55,49 +55,92 @@ Json measurePrepare(const Problem& problem, double seconds) {
   return Json().add("ours", ours.json()).add("plain", plain.json()).add("rounds", rounds);
 }
 
-Json measureIteration(const Problem& problem, double seconds) {
-  Session session;
-  require(open(session, problem));
-  require(session.prepare());
-  PlainLocalGlobal yardstick(problem.mesh, problem.plain);
-  Points positions = problem.mesh.positions, before;
-  yardstick.prepare();
-  yardstick.begin(positions);
-  SparseCholesky cholesky;
-  cholesky.analyze(yardstick.freeBlock());
-  require(cholesky.factorize(yardstick.freeBlock()));
-  const Points rhs = Points::Random(yardstick.freeBlock().rows(), 3);
-  Points solution = rhs;
+/// A side at work on an iteration; the solve of three right-hand sides is timed on its own, by turns with the whole.
+struct IterationTimes {
+  Samples whole, solve;
 
-  StepReport report;
-  for (int k = 0; k < kWarmUp; ++k) {
-    require(session.step(report));
-    yardstick.iterate(positions);
+  Json json() const {
+    const double rest = std::max(0.0, whole.median() - solve.median());
+    return Json().add("whole", whole.median()).add("solve", solve.median()).add("rest", rest);
   }
-  Samples step, solve, plainLocal, plainRightHandSide, plainSolve, plainWhole;
+};
+
+/// The core's session and its linear solver.
+class Ours {
+ public:
+  Ours(const Problem& problem, const SparseMatrix& system) {
+    require(open(session_, problem));
+    require(session_.prepare());
+    cholesky_.analyze(system);
+    require(cholesky_.factorize(system));
+  }
+  void step() {
+    StepReport report;
+    require(session_.step(report));
+  }
+  double solve(const Points& rhs) {
+    solution_ = rhs;
+    return timed([&] { cholesky_.solve(solution_); });
+  }
+
+ private:
+  Session session_;
+  SparseCholesky cholesky_;
+  Points solution_;
+};
+
+/// The yardstick in a run, stopping rule included.
+class Plain {
+ public:
+  explicit Plain(const Problem& problem)
+      : rest_(problem.mesh.positions), solver_(problem.mesh, problem.plain), positions_(problem.mesh.positions) {
+    solver_.prepare();
+    solver_.begin(positions_);
+  }
+  void step() {
+    before_ = positions_;
+    local_.add(timed([&] { solver_.localStep(positions_); }));
+    rightHandSide_.add(timed([&] { solver_.rightHandSide(); }));
+    solver_.solve(positions_);
+    change_ = relativeDisplacement(before_, positions_, rest_);
+  }
+  double solve(const Points& rhs) {
+    const Eigen::MatrixXd b = rhs;
+    Eigen::MatrixXd solution;
+    return timed([&] { solution = solver_.cholesky().solve(b); });
+  }
+  const SparseMatrix& system() const { return solver_.freeBlock(); }
+  double local() const { return local_.median(); }
+  double rightHandSide() const { return rightHandSide_.median(); }
+
+ private:
+  const Points& rest_;
+  PlainLocalGlobal solver_;
+  Points positions_, before_;
+  Samples local_, rightHandSide_;
+  double change_ = 0;
+};
+
+Json measureIteration(const Problem& problem, double seconds) {
+  Plain plain(problem);
+  Ours ours(problem, plain.system());
+  const Points rhs = Points::Random(plain.system().rows(), 3);
+  for (int k = 0; k < kWarmUp; ++k) {
+    ours.step();
+    plain.step();
+  }
+  IterationTimes oursTimes, plainTimes;
+  const auto block = [&](auto& side, IterationTimes& times, int count) {
+    for (int k = 0; k < count; ++k) times.whole.add(timed([&] { side.step(); }));
+    for (int k = 0; k < count; ++k) times.solve.add(side.solve(rhs));
+  };
   const int rounds = repeat(kIterationRounds, seconds, [&] {
-    for (int k = 0; k < kBlock; ++k) step.add(timed([&] { require(session.step(report)); }));
-    for (int k = 0; k < kBlock; ++k) {
-      solution = rhs;
-      solve.add(timed([&] { cholesky.solve(solution); }));
-    }
-    for (int k = 0; k < kBlock / 2; ++k) {
-      before = positions;
-      const double local = timed([&] { yardstick.localStep(positions); });
-      const double right = timed([&] { yardstick.rightHandSide(); });
-      const double solved = timed([&] { yardstick.solve(positions); });
-      const double stop = timed([&] { relativeDisplacement(before, positions, problem.mesh.positions); });
-      plainLocal.add(local);
-      plainRightHandSide.add(right);
-      plainSolve.add(solved);
-      plainWhole.add(local + right + solved + stop);
-    }
+    block(ours, oursTimes, kBlock);
+    block(plain, plainTimes, kBlock / 2);
   });
-  Json ours, plain;
-  ours.add("whole", step.median()).add("solve", solve.median()).add("local", std::max(0.0, step.median() - solve.median()));
-  plain.add("whole", plainWhole.median()).add("solve", plainSolve.median());
-  plain.add("local", plainLocal.median()).add("rightHandSide", plainRightHandSide.median());
-  return Json().add("ours", ours).add("plain", plain).add("rounds", rounds);
+  Json plainJson = plainTimes.json();
+  plainJson.add("local", plain.local()).add("rightHandSide", plain.rightHandSide());
+  return Json().add("ours", oursTimes.json()).add("plain", plainJson).add("rounds", rounds);
 }
 
 }  // namespace

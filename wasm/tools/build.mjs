@@ -43,7 +43,13 @@ export function buildBenchmark() {
   const native = ['-DWHITTLE_BENCH=ON', '-DCMAKE_CXX_FLAGS=-O3 -march=native'];
   const wasm = ['-DWHITTLE_BENCH=ON'];
   configureAndBuild('Building the benchmark', 'wasm/build/native-bench', native, undefined, 'whittle-bench');
-  configureAndBuild('Building the benchmark as wasm', 'wasm/build/wasm-bench', wasm, 'emcmake', 'whittle-bench');
+  configureAndBuild(
+    'Building the benchmark as wasm',
+    'wasm/build/wasm-bench',
+    wasm,
+    'emcmake',
+    'whittle-bench',
+  );
   markFresh('bench', state);
 }
 

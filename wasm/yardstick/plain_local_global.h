@@ -32,8 +32,11 @@ class PlainLocalGlobal {
   bool factorize();
   bool prepare();
 
-  /// The system without its held rows and columns, #free×#free.
+  using Cholesky = Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>>;
+
+  /// The system without its held rows and columns, #free×#free, and its factorization.
   const SparseMatrix& freeBlock() const { return freeBlock_; }
+  const Cholesky& cholesky() const { return cholesky_; }
 
   /// Puts the handles in their places and forgets earlier iterations.
   void begin(Points& positions);
@@ -75,7 +78,7 @@ class PlainLocalGlobal {
   SparseMatrix system_;             // #V×#V
   SparseMatrix freeBlock_;          // #free×#free
   SparseMatrix heldBlock_;          // #free×#held
-  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>> cholesky_;
+  Cholesky cholesky_;
 
   // Running state
   Points rotations_;  // 3#V×3: R_0ᵀ, R_1ᵀ, …
