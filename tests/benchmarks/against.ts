@@ -12,6 +12,7 @@ import { withBuiltReference } from './reference.ts';
 const rounds = 15;
 const stepsARound = 6;
 const warmUp = 8;
+const runsToStop = 3;
 
 interface Side {
   readonly core: Core;
@@ -41,7 +42,7 @@ export async function benchmarkAgainst(reference: string, options: Options): Pro
       'energy',
     ];
     console.log(`Working tree over ${reference} (${commit}), wasm: below 1 the working tree is faster. Medians of ${rounds} rounds by turns, quartiles in
-brackets; “to the stop” is one run each from the loaded mesh, “energy” what the working tree’s end is above the other’s.
+brackets; “to the stop” is ${runsToStop} runs each from the loaded mesh, “energy” what the working tree’s end is above the other’s.
 
 ${markdownTable(headers, rows)}`);
   });
@@ -78,14 +79,17 @@ function compare(base: Core, head: Core, method: MethodId, size: Size, reference
   try {
     const sides = [base, head].map((core): Side => ({ core, prepares: [], iterations: [] }));
     timeByTurns(sides, mesh, method, parameters);
-    const [was, is] = [base, head].map((core) => runToStop(core, mesh, method, parameters));
+    const runs = Array.from({ length: runsToStop }, () =>
+      [base, head].map((core) => runToStop(core, mesh, method, parameters)),
+    );
+    const [was, is] = runs[0]!;
     const ratios = (key: 'prepares' | 'iterations'): string =>
       withSpread(sides[1]![key].map((time, round) => time / sides[0]![key][round]!));
     const energy = is!.energy / was!.energy - 1;
     return [
       ratios('prepares'),
       ratios('iterations'),
-      (is!.time / was!.time).toFixed(2),
+      withSpread(runs.map(([before, after]) => after!.time / before!.time)),
       `${was!.iterations} → ${is!.iterations}`,
       `${energy < 0 ? '−' : '+'}${percent(Math.abs(energy))}`,
     ];

@@ -13,13 +13,7 @@ export async function withBuiltReference(
   reference: string,
   use: (folder: string, commit: string) => Promise<void>,
 ): Promise<void> {
-  const commit = run('git', [
-    'rev-parse',
-    '--short',
-    '--verify',
-    '--end-of-options',
-    `${reference}^{commit}`,
-  ]);
+  const commit = commitOf(reference);
   const parent = mkdtempSync(join(tmpdir(), 'whittle-base-'));
   const folder = join(parent, 'base');
   const remove = (): void => {
@@ -41,6 +35,14 @@ export async function withBuiltReference(
     process.off('SIGINT', interrupted);
     process.off('SIGTERM', interrupted);
     remove();
+  }
+}
+
+function commitOf(reference: string): string {
+  try {
+    return run('git', ['rev-parse', '--short', '--verify', '--end-of-options', `${reference}^{commit}`]);
+  } catch {
+    throw new Error(`Git knows no commit by the name “${reference}”.`);
   }
 }
 

@@ -9,7 +9,8 @@ import {
   withSpread,
 } from '../benchmarks/numbers.ts';
 import { methods, parseOptions, sizes } from '../benchmarks/options.ts';
-import { meshOf } from '../benchmarks/program.ts';
+import { type Descent, type Measurement, meshOf } from '../benchmarks/program.ts';
+import { report } from '../benchmarks/report.ts';
 
 describe('numbers of the benchmark', () => {
   test('quantiles lie between the values', () => {
@@ -64,5 +65,63 @@ describe('arguments of the benchmark', () => {
   test('every size has its mesh', () => {
     for (const size of sizes.filter((vertices) => vertices < 50_000))
       expect(meshOf(size).positions.length / 3).toBe(size);
+  });
+});
+
+describe('report of the benchmark', () => {
+  const prepare = { whole: 30, order: 12, factor: 10, other: 8 };
+  const run: Descent = {
+    iterations: 208,
+    time: 1500,
+    rested: 1,
+    aboveLowest: 0,
+    toPercent: { iterations: 18, time: 200 },
+    toPermille: { iterations: 36, time: 100 },
+    stop: { iterations: 58, time: 150, aboveLowest: 8e-5 },
+  };
+  const never = { iterations: -1, time: -1 };
+  const plain: Descent = {
+    ...run,
+    rested: 0,
+    toPercent: never,
+    toPermille: never,
+    stop: { iterations: 111, time: 2500, aboveLowest: 0.0124 },
+  };
+  const measurement: Measurement = {
+    vertices: 22046,
+    compiler: 'a compiler',
+    memory: 22046 * 1024,
+    lowest: 1,
+    energyAtFixedCount: 1.04,
+    cold: run,
+    warm: run,
+    plain,
+    phases: {
+      prepare: { ours: prepare, plain: { ...prepare, factor: 25, whole: 90 }, rounds: 5 },
+      iteration: {
+        ours: { whole: 2, solve: 1, rest: 1 },
+        plain: { whole: 30, solve: 3, rest: 27, local: 26, rightHandSide: 1 },
+        rounds: 9,
+      },
+    },
+  };
+
+  test('says how many times as fast, which bars are met and what was never reached', () => {
+    const text = report('cubic', [{ native: measurement, wasm: measurement }]);
+    expect(text).toContain(
+      '| 22046    | wasm   | 1.0×  | 2.5×   | 3.0×    | 27×   | 3.0×  | 15×       | 500',
+    );
+    expect(text).toMatch(/\| solve +\| 4× +\| 3\.0× +\| no/);
+    expect(text).toMatch(/within 0\.1 %.*\| 20× +\| 25× +\| yes/);
+    expect(text).toContain('not before / not before');
+    expect(text).toContain('22 MB, 1.00 KB');
+  });
+
+  test('marks numbers whose E* is not known for sure', () => {
+    const unrested = { ...measurement, cold: { ...run, rested: 0 } };
+    const text = report('arap', [{ native: unrested, wasm: unrested }]);
+    expect(text).toContain('≈ 18 / 36');
+    expect(text).toContain('208 (time was up)');
+    expect(text).not.toContain('Bars');
   });
 });
