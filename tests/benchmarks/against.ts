@@ -11,7 +11,7 @@ import { withBuiltReference } from './reference.ts';
 
 const rounds = 15;
 const stepsARound = 6;
-const warmUp = 8;
+const warmUp = 3;
 const runsToStop = 3;
 
 interface Side {
@@ -129,27 +129,48 @@ function timed(work: () => void): number {
   return performance.now() - start;
 }
 
+/** A run that begins anew whenever it is at its stop; what is timed lies between. */
+class LoopedRun {
+  readonly #session: CoreSession;
+
+  constructor(session: CoreSession) {
+    this.#session = session;
+    this.#begin();
+  }
+
+  /** Time of some steps, ms. */
+  timeSteps(count: number): number {
+    let sum = 0;
+    for (let k = 0; k < count; k++) {
+      let outcome = 'running';
+      sum += timed(() => {
+        outcome = this.#session.step().outcome;
+      });
+      if (outcome !== 'running') this.#begin();
+    }
+    return sum;
+  }
+
+  #begin(): void {
+    this.#session.restart();
+    this.#session.prepare();
+    for (let k = 0; k < warmUp; k++) this.#session.step();
+  }
+}
+
 /** Rounds of both sides; who goes first changes, so that neither always finds the other's caches. */
 function timeByTurns(sides: Side[], mesh: TestMesh, method: MethodId, parameters: ParameterValues): void {
-  const runs = sides.map((side) => {
-    const session = open(side.core, mesh, method, { ...parameters, tolerance: 0 });
-    session.prepare();
-    for (let k = 0; k < warmUp; k++) session.step();
-    return { side, session };
-  });
+  const sessions = sides.map(({ core }) => open(core, mesh, method, parameters));
+  const runs = sides.map((side, s) => ({ side, run: new LoopedRun(sessions[s]!) }));
   for (let round = 0; round < rounds; round++) {
-    for (const { side, session } of round % 2 ? runs.toReversed() : runs) {
+    for (const { side, run } of round % 2 ? runs.toReversed() : runs) {
       const fresh = open(side.core, mesh, method, parameters);
       side.prepares.push(timed(() => fresh.prepare()));
       fresh.free();
-      side.iterations.push(
-        timed(() => {
-          for (let k = 0; k < stepsARound; k++) session.step();
-        }),
-      );
+      side.iterations.push(run.timeSteps(stepsARound));
     }
   }
-  for (const { session } of runs) session.free();
+  for (const session of sessions) session.free();
 }
 
 function runToStop(core: Core, mesh: TestMesh, method: MethodId, parameters: ParameterValues) {

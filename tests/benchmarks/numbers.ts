@@ -15,10 +15,9 @@ export function withSpread(values: readonly number[]): string {
   return `${middle} (${low}–${high})`;
 }
 
-/** How many times one goes into the other: “4.2×”, “23×”; a dash where a number is missing. */
-export function times(larger: number, smaller: number): string {
-  const ratio = larger / smaller;
-  if (!(larger > 0 && smaller > 0)) return '–';
+/** “4.2×”, “23×”; a dash for what is no ratio. */
+export function times(ratio: number): string {
+  if (!(ratio > 0 && Number.isFinite(ratio))) return '–';
   return `${ratio < 10 ? ratio.toFixed(1) : ratio.toFixed(0)}×`;
 }
 

@@ -23,19 +23,11 @@ export interface Descent extends Milestone {
   readonly stop: Milestone & { readonly aboveLowest: number };
 }
 
-interface PrepareTimes {
-  readonly whole: number;
-  readonly order: number;
-  readonly factor: number;
-  readonly other: number;
-}
-
-interface IterationTimes {
-  readonly whole: number;
-  /** Three right-hand sides through the factor. */
-  readonly solve: number;
-  /** All the others. */
-  readonly rest: number;
+/** A phase of the core and of the yardstick, ms, and how many times as fast the core is. */
+export interface Comparison {
+  readonly ours: number;
+  readonly plain: number;
+  readonly ratio: number;
 }
 
 /** What `whittle-bench` prints; times in ms, memory in bytes. */
@@ -49,12 +41,9 @@ export interface Measurement {
   readonly warm: Descent;
   readonly plain: Descent;
   readonly phases: {
-    readonly prepare: { readonly ours: PrepareTimes; readonly plain: PrepareTimes; readonly rounds: number };
-    readonly iteration: {
-      readonly ours: IterationTimes;
-      readonly plain: IterationTimes & { readonly local: number; readonly rightHandSide: number };
-      readonly rounds: number;
-    };
+    readonly prepare: { readonly whole: Comparison; readonly order: Comparison; readonly factor: Comparison };
+    /** `solve`: three right-hand sides through the factor; `rest`: all the others. */
+    readonly iteration: { readonly whole: Comparison; readonly solve: Comparison; readonly rest: Comparison };
   };
 }
 

@@ -22,10 +22,10 @@ describe('numbers of the benchmark', () => {
   });
 
   test('are written for people', () => {
-    expect(times(31.5, 7.5)).toBe('4.2×');
-    expect(times(234, 10)).toBe('23×');
-    expect(times(-1, 10)).toBe('–');
-    expect(times(1, 0)).toBe('–');
+    expect(times(4.2)).toBe('4.2×');
+    expect(times(23.4)).toBe('23×');
+    expect(times(-0.1)).toBe('–');
+    expect(times(1 / 0)).toBe('–');
     expect(percent(0.01245)).toBe('1.2 %');
     expect(percent(0)).toBe('0 %');
     expect(percent(3e-7)).toBe('< 0.001 %');
@@ -69,7 +69,7 @@ describe('arguments of the benchmark', () => {
 });
 
 describe('report of the benchmark', () => {
-  const prepare = { whole: 30, order: 12, factor: 10, other: 8 };
+  const compare = (plain: number, ours: number) => ({ ours, plain, ratio: plain / ours });
   const run: Descent = {
     iterations: 208,
     time: 1500,
@@ -97,12 +97,8 @@ describe('report of the benchmark', () => {
     warm: run,
     plain,
     phases: {
-      prepare: { ours: prepare, plain: { ...prepare, factor: 25, whole: 90 }, rounds: 5 },
-      iteration: {
-        ours: { whole: 2, solve: 1, rest: 1 },
-        plain: { whole: 30, solve: 3, rest: 27, local: 26, rightHandSide: 1 },
-        rounds: 9,
-      },
+      prepare: { whole: compare(90, 30), order: compare(12, 12), factor: compare(25, 10) },
+      iteration: { whole: compare(30, 2), solve: compare(3, 1), rest: compare(27, 1) },
     },
   };
 

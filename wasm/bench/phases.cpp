@@ -7,9 +7,11 @@ namespace whittle::bench {
 namespace {
 
 constexpr int kPrepareRounds = 5;
-constexpr int kIterationRounds = 9;
-constexpr int kBlock = 4;   // iterations of one side in a row, as in a real run
-constexpr int kWarmUp = 3;  // iterations before the clock starts: ADMM's first steps are many
+constexpr int kIterationRounds = 25;
+constexpr int kBlock = 5;  // iterations in a row, as in a real run
+constexpr int kPlainBlock = 3;
+constexpr int kWarmUp = 3;            // iterations before the clock starts: ADMM's first steps are many
+constexpr double kPaperStop = 3e-3;  // relative displacement; a run that is there begins anew
 
 /// Calls `round` so often, or once and then until the time is over; returns how often.
 template <typename Round>
@@ -23,60 +25,59 @@ int repeat(int most, double seconds, Round&& round) {
   return rounds;
 }
 
-struct PrepareTimes {
-  Samples whole, order, factor;
-
-  Json json() const {
-    // The linear solver is timed on its own; what is left of the whole is assembly.
-    const double other = std::max(0.0, whole.median() - order.median() - factor.median());
-    return Json().add("whole", whole.median()).add("order", order.median()).add("factor", factor.median()).add("other", other);
+/// One phase of both sides, round by round. The ratio is taken within each round: load that comes and goes meets both.
+class Comparison {
+ public:
+  void add(double ours, double plain) {
+    ours_.add(ours);
+    plain_.add(plain);
+    if (ours > 0) ratio_.add(plain / ours);
   }
+  Json json() const {
+    return Json().add("ours", ours_.median()).add("plain", plain_.median()).add("ratio", ratio_.median());
+  }
+
+ private:
+  Samples ours_, plain_, ratio_;
 };
 
 Json measurePrepare(const Problem& problem, double seconds) {
-  PrepareTimes ours, plain;
+  Comparison whole, order, factor;
   const int rounds = repeat(kPrepareRounds, seconds, [&] {
     Session session;
     require(open(session, problem));
-    ours.whole.add(timed([&] { require(session.prepare()); }));
+    const double prepare = timed([&] { require(session.prepare()); });
 
-    PlainLocalGlobal yardstick(problem.mesh, problem.plain);
-    const double assemble = timed([&] { yardstick.assemble(); });
-    const double analyze = timed([&] { yardstick.analyze(); });
-    const double factorize = timed([&] { yardstick.factorize(); });
-    plain.order.add(analyze);
-    plain.factor.add(factorize);
-    plain.whole.add(assemble + analyze + factorize);
+    PlainLocalGlobal plain(problem.mesh, problem.plain);
+    const double plainAssemble = timed([&] { plain.assemble(); });
+    const double plainOrder = timed([&] { plain.analyze(); });
+    const double plainFactor = timed([&] { plain.factorize(); });
+    whole.add(prepare, plainAssemble + plainOrder + plainFactor);
 
     SparseCholesky cholesky;
-    ours.order.add(timed([&] { cholesky.analyze(yardstick.freeBlock()); }));
-    ours.factor.add(timed([&] { require(cholesky.factorize(yardstick.freeBlock())); }));
+    order.add(timed([&] { cholesky.analyze(plain.freeBlock()); }), plainOrder);
+    factor.add(timed([&] { require(cholesky.factorize(plain.freeBlock())); }), plainFactor);
   });
-  return Json().add("ours", ours.json()).add("plain", plain.json()).add("rounds", rounds);
+  return Json().add("whole", whole.json()).add("order", order.json()).add("factor", factor.json()).add("rounds", rounds);
 }
-
-/// A side at work on an iteration; the solve of three right-hand sides is timed on its own, by turns with the whole.
-struct IterationTimes {
-  Samples whole, solve;
-
-  Json json() const {
-    const double rest = std::max(0.0, whole.median() - solve.median());
-    return Json().add("whole", whole.median()).add("solve", solve.median()).add("rest", rest);
-  }
-};
 
 /// The core's session and its linear solver.
 class Ours {
  public:
   Ours(const Problem& problem, const SparseMatrix& system) {
     require(open(session_, problem));
-    require(session_.prepare());
     cholesky_.analyze(system);
     require(cholesky_.factorize(system));
   }
-  void step() {
+  void restart() {
+    session_.restart();
+    require(session_.prepare());
+  }
+  /// Returns the relative displacement.
+  double step() {
     StepReport report;
     require(session_.step(report));
+    return report.change;
   }
   double solve(const Points& rhs) {
     solution_ = rhs;
@@ -95,14 +96,17 @@ class Plain {
   explicit Plain(const Problem& problem)
       : rest_(problem.mesh.positions), solver_(problem.mesh, problem.plain), positions_(problem.mesh.positions) {
     solver_.prepare();
+  }
+  void restart() {
+    positions_ = rest_;
     solver_.begin(positions_);
   }
-  void step() {
+  double step() {
     before_ = positions_;
     local_.add(timed([&] { solver_.localStep(positions_); }));
     rightHandSide_.add(timed([&] { solver_.rightHandSide(); }));
     solver_.solve(positions_);
-    change_ = relativeDisplacement(before_, positions_, rest_);
+    return relativeDisplacement(before_, positions_, rest_);
   }
   double solve(const Points& rhs) {
     const Eigen::MatrixXd b = rhs;
@@ -118,37 +122,60 @@ class Plain {
   PlainLocalGlobal solver_;
   Points positions_, before_;
   Samples local_, rightHandSide_;
-  double change_ = 0;
 };
+
+/// Medians of a few iterations and a few solves of one side.
+struct Block {
+  double whole, solve;
+};
+
+template <typename Side>
+double begin(Side& side) {
+  side.restart();
+  for (int k = 1; k < kWarmUp; ++k) side.step();
+  return side.step();
+}
+
+/// @param change relative displacement of the side's last iteration
+template <typename Side>
+Block timeBlock(Side& side, double& change, const Points& rhs, int count) {
+  Samples whole, solve;
+  for (int k = 0; k < count; ++k) {
+    if (change <= kPaperStop) begin(side);
+    whole.add(timed([&] { change = side.step(); }));
+  }
+  for (int k = 0; k < count; ++k) solve.add(side.solve(rhs));
+  return {whole.median(), solve.median()};
+}
 
 Json measureIteration(const Problem& problem, double seconds) {
   Plain plain(problem);
   Ours ours(problem, plain.system());
   const Points rhs = Points::Random(plain.system().rows(), 3);
-  for (int k = 0; k < kWarmUp; ++k) {
-    ours.step();
-    plain.step();
-  }
-  IterationTimes oursTimes, plainTimes;
-  const auto block = [&](auto& side, IterationTimes& times, int count) {
-    for (int k = 0; k < count; ++k) times.whole.add(timed([&] { side.step(); }));
-    for (int k = 0; k < count; ++k) times.solve.add(side.solve(rhs));
-  };
+  double change = begin(ours), plainChange = begin(plain);
+  Comparison whole, solve, rest;
   const int rounds = repeat(kIterationRounds, seconds, [&] {
-    block(ours, oursTimes, kBlock);
-    block(plain, plainTimes, kBlock / 2);
+    const Block mine = timeBlock(ours, change, rhs, kBlock);
+    const Block theirs = timeBlock(plain, plainChange, rhs, kPlainBlock);
+    whole.add(mine.whole, theirs.whole);
+    solve.add(mine.solve, theirs.solve);
+    rest.add(std::max(0.0, mine.whole - mine.solve), theirs.whole - theirs.solve);
   });
-  Json plainJson = plainTimes.json();
-  plainJson.add("local", plain.local()).add("rightHandSide", plain.rightHandSide());
-  return Json().add("ours", oursTimes.json()).add("plain", plainJson).add("rounds", rounds);
+  return Json()
+      .add("whole", whole.json())
+      .add("solve", solve.json())
+      .add("rest", rest.json())
+      .add("plainLocal", plain.local())
+      .add("plainRightHandSide", plain.rightHandSide())
+      .add("rounds", rounds);
 }
 
 }  // namespace
 
 Json measurePhases(const Problem& problem, double seconds) {
   return Json()
-      .add("prepare", measurePrepare(problem, seconds / 2))
-      .add("iteration", measureIteration(problem, seconds / 2));
+      .add("prepare", measurePrepare(problem, seconds))
+      .add("iteration", measureIteration(problem, seconds));
 }
 
 }  // namespace whittle::bench
