@@ -48,7 +48,7 @@ export interface Measurement {
 }
 
 /** The largest mesh gets more time, and still only some iterations of the yardstick. */
-const seconds = (size: Size): number => (size > 100_000 ? 9 : 6);
+const seconds = (size: Size): number => (size > 100_000 ? 7 : 6);
 
 export function meshOf(size: Size): TestMesh {
   if (size === 22046) return bunnyLevel(2);

@@ -43,7 +43,8 @@ function phases(measurements: Measurements): string {
 ${markdownTable(['vertices', 'build', 'order', 'factor', 'prepare', 'local', 'solve', 'iteration', 'it/s', 'plain it/s'], rows)}`;
 }
 
-const count = (iterations: number): string => (iterations < 0 ? '–' : String(iterations));
+const atStop = ({ stop, iterations }: Descent): string =>
+  stop.iterations < 0 ? `not in ${iterations}` : `${stop.iterations}, +${percent(stop.aboveLowest)}`;
 
 /** Where the energy did not come to rest, E* is only the lowest that was seen. */
 const about = (cold: Descent): string => (cold.rested ? '' : '≈ ');
@@ -57,13 +58,11 @@ function reached(run: Descent, iterations: number): string {
 function descents(measurements: Measurements): string {
   const rows = rowsOf(measurements, ({ cold, plain, warm, memory, vertices }) => [
     `${about(cold)}${reached(cold, cold.toPercent.iterations)} / ${reached(cold, cold.toPermille.iterations)}`,
-    `${count(cold.stop.iterations)}, +${percent(cold.stop.aboveLowest)}`,
+    atStop(cold),
     `${about(cold)}${duration(cold.toPermille.time)}`,
     duration(warm.toPermille.time),
     `${reached(plain, plain.toPercent.iterations)} / ${reached(plain, plain.toPermille.iterations)}`,
-    plain.stop.iterations < 0
-      ? `not in ${plain.iterations}`
-      : `${plain.stop.iterations}, +${percent(plain.stop.aboveLowest)}`,
+    atStop(plain),
     duration(plain.stop.time),
     `${(memory / 2 ** 20).toFixed(0)} MB, ${(memory / 1024 / vertices).toFixed(2)} KB`,
     `${cold.iterations}${cold.rested ? '' : ' (time was up)'}`,
