@@ -6,7 +6,7 @@ import { describe, expect, test } from 'vitest';
 const typescriptArrows: Record<string, string[]> = {
   'src/mesh': [],
   'src/methods': [],
-  'src/styles': ['src/mesh'],
+  'src/styles': ['src/mesh', 'src/methods'],
   'src/io': ['src/mesh'],
   'src/recipe': ['src/methods', 'src/mesh'],
   'src/engine': ['src/io', 'src/methods', 'src/mesh', 'wasm/dist'],

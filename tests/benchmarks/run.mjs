@@ -12,8 +12,11 @@ const server = await createServer({
   optimizeDeps: { noDiscovery: true },
 });
 try {
-  const { benchmark } = await server.ssrLoadModule('/tests/benchmarks/local-global.ts');
-  await benchmark();
+  const { benchmark } = await server.ssrLoadModule('/tests/benchmarks/main.ts');
+  await benchmark(process.argv.slice(2));
+} catch (error) {
+  console.error(error.message);
+  process.exitCode = 1;
 } finally {
   await server.close();
 }

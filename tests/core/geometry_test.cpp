@@ -4,6 +4,7 @@
 
 #include "geometry/edge_set.h"
 #include "geometry/surface.h"
+#include "support/rows.h"
 #include "support/shapes.h"
 
 using namespace whittle;
@@ -69,12 +70,6 @@ std::vector<Mat3> matricesOf(const std::vector<QuaternionLanes>& rotations, Inde
   std::vector<Mat3> matrices;
   for (Index k = 0; k < count; ++k) matrices.push_back(rotationAt(rotations[k / 4], k % 4));
   return matrices;
-}
-
-Points toPoints(const std::vector<LaneRow>& rows) {
-  Points points(rows.size(), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) points.row(i) << rows[i].x, rows[i].y, rows[i].z;
-  return points;
 }
 
 }  // namespace

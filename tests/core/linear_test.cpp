@@ -4,10 +4,11 @@
 
 #include "linear/constrained_quadratic.h"
 #include "support/allocations.h"
+#include "support/rows.h"
 #include "support/shapes.h"
 
 using namespace whittle;
-using testing::Noise;
+using namespace whittle::testing;
 
 namespace {
 
@@ -27,14 +28,6 @@ Points randomPoints(Index n, Noise& noise) {
   Points points(n, 3);
   for (Index i = 0; i < n; ++i) points.row(i) << noise(), noise(), noise();
   return points;
-}
-
-std::vector<LaneRow> toRows(const Points& points) {
-  std::vector<LaneRow> rows;
-  for (Index i = 0; i < points.rows(); ++i) {
-    rows.push_back({static_cast<float>(points(i, 0)), static_cast<float>(points(i, 1)), static_cast<float>(points(i, 2)), 0});
-  }
-  return rows;
 }
 
 }  // namespace

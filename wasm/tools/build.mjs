@@ -3,7 +3,11 @@ import { probe, runQuietly } from './run.mjs';
 import { fingerprint, isFresh, markFresh } from './stamps.mjs';
 
 const sources = ['wasm/CMakeLists.txt', 'wasm/cmake', 'wasm/core', 'wasm/bindings'];
-const testSources = [...sources, 'tests/core'];
+const programs = [
+  'wasm/build/native-bench/bench/whittle-bench',
+  'wasm/build/wasm-bench/bench/whittle-bench.cjs',
+];
+const testSources = [...sources, 'wasm/yardstick', 'tests/core'];
 
 /** Builds the wasm module into wasm/dist. */
 export function buildWasm() {
@@ -31,20 +35,29 @@ export function buildTests() {
   markFresh('native-tests', state);
 }
 
-/** Builds the native benchmark for this very processor. */
+/** Builds the benchmark program: natively for this very processor, and as wasm for Node. */
 export function buildBenchmark() {
-  const state = fingerprint([...sources, 'wasm/bench'], probe('c++')?.split('\n')[0]);
-  if (existsSync('wasm/build/native-bench') && isFresh('native-bench', state)) return;
-  const options = ['-DWHITTLE_BENCH=ON', '-DCMAKE_CXX_FLAGS=-O3 -march=native'];
-  configureAndBuild('Building the native benchmark', 'wasm/build/native-bench', options);
-  markFresh('native-bench', state);
+  const compilers = ['c++', 'em++'].map((name) => probe(name)?.split('\n')[0]).join();
+  const state = fingerprint([...sources, 'wasm/yardstick', 'wasm/bench'], compilers);
+  if (programs.every(existsSync) && isFresh('bench', state)) return;
+  const native = ['-DWHITTLE_BENCH=ON', '-DCMAKE_CXX_FLAGS=-O3 -march=native'];
+  const wasm = ['-DWHITTLE_BENCH=ON'];
+  configureAndBuild('Building the benchmark', 'wasm/build/native-bench', native, undefined, 'whittle-bench');
+  configureAndBuild(
+    'Building the benchmark as wasm',
+    'wasm/build/wasm-bench',
+    wasm,
+    'emcmake',
+    'whittle-bench',
+  );
+  markFresh('bench', state);
 }
 
-function configureAndBuild(announcement, folder, options, wrapper) {
+function configureAndBuild(announcement, folder, options, wrapper, target = 'all') {
   // Debian's em++ finds its JavaScript tools only through NODE_PATH.
   const env = existsSync('/usr/share/nodejs') ? { NODE_PATH: '/usr/share/nodejs' } : {};
   const cmake = ['cmake', '-S', 'wasm', '-B', folder, '-G', 'Ninja', ...options];
   const [command, ...args] = wrapper ? [wrapper, ...cmake] : cmake;
   runQuietly(announcement, command, args, env);
-  runQuietly(`${announcement}: compiling`, 'cmake', ['--build', folder], env);
+  runQuietly(`${announcement}: compiling`, 'cmake', ['--build', folder, '--target', target], env);
 }

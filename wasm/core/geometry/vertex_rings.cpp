@@ -47,11 +47,11 @@ VertexRings::VertexRings(const TriangleMesh& rest, const CornerScalars& halfCota
 void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& halfCotangents) {
   const Index vertexCount = rest.vertexCount();
   const Fans fans(rest.triangles, vertexCount);
-  std::vector<Index> place(vertexCount, -1);  // of a vertex in `neighbour_`, if it is in this ring
-  std::vector<Eigen::Vector4d> ring;
+  std::vector<Index> place(vertexCount, -1);  // of a vertex in the lists, if it is in this ring
+  std::vector<Vec3> ring;
   start_.assign(1, 0);
-  neighbour_.reserve(rest.triangles.size());
   spokes_.reserve(rest.triangles.size());
+  weights_.reserve(rest.triangles.size());
   for (Index k = 0; k < vertexCount; ++k) {
     ring.clear();
     for (Index p = fans.start[k]; p < fans.start[k + 1]; ++p) {
@@ -61,19 +61,21 @@ void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& ha
         const Index j = rest.triangles(f, corner);
         if (j == k) continue;
         if (place[j] < start_[k]) {
-          place[j] = static_cast<Index>(neighbour_.size());
-          neighbour_.push_back(j);
-          ring.push_back(Eigen::Vector4d::Zero());
+          place[j] = static_cast<Index>(spokes_.size());
+          spokes_.push_back({0, 0, 0, j});
+          weights_.push_back(0);
+          ring.push_back(Vec3::Zero());
         }
         const int opposite = rest.triangles(f, (corner + 1) % 3) == k ? (corner + 2) % 3 : (corner + 1) % 3;
-        ring[place[j] - start_[k]] += Eigen::Vector4d(g(0, corner), g(1, corner), g(2, corner), halfCotangents(f, opposite));
+        ring[place[j] - start_[k]] += g.col(corner);
+        weights_[place[j]] += halfCotangents(f, opposite);
       }
     }
-    for (const Eigen::Vector4d& sum : ring) {
-      const Eigen::Vector4f s = sum.cast<float>();
-      spokes_.push_back({s[0], s[1], s[2], s[3]});
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Spoke& spoke = spokes_[start_[k] + i];
+      spoke.x = static_cast<float>(ring[i].x()), spoke.y = static_cast<float>(ring[i].y()), spoke.z = static_cast<float>(ring[i].z());
     }
-    start_.push_back(static_cast<Index>(neighbour_.size()));
+    start_.push_back(static_cast<Index>(spokes_.size()));
   }
 }
 
@@ -83,9 +85,9 @@ VertexRings::RingSums VertexRings::sumRing(const Points& output, Index k) const 
   RingSums sums{};
   for (Index p = start_[k]; p < start_[k + 1]; ++p) {
     const Spoke& spoke = spokes_[p];
-    const double* xj = output.data() + 3 * static_cast<std::ptrdiff_t>(neighbour_[p]);
+    const double* xj = output.data() + 3 * static_cast<std::ptrdiff_t>(spoke.neighbour);
     const Pair uxy = loadPair(xj) - kxy, uyz = loadPair(xj + 1) - kyz;
-    const double factors[] = {spoke.x, spoke.y, spoke.z, spoke.weight};
+    const double factors[] = {spoke.x, spoke.y, spoke.z, weights_[p]};
     for (int i = 0; i < 4; ++i) sums.xy[i] += factors[i] * uxy, sums.yz[i] += factors[i] * uyz;
   }
   return sums;
@@ -123,7 +125,7 @@ void VertexRings::addRotated(const std::vector<QuaternionLanes>& rotations, std:
       for (Index p = start_[k + lane]; p < start_[k + lane + 1]; ++p) {
         const Spoke& spoke = spokes_[p];
         const Lanes rotated = spoke.x * x + spoke.y * y + spoke.z * z;
-        LaneRow* row = &residual[neighbour_[p]];
+        LaneRow* row = &residual[spoke.neighbour];
         store(row, load(row) + rotated);
         own += rotated;
       }

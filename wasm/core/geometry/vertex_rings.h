@@ -18,10 +18,10 @@ class VertexRings : public EdgeSet {
  private:
   typedef double Pair __attribute__((vector_size(16)));
 
-  /// Rounded to single precision; the energy is the one of the rounded numbers, exactly.
+  /// Ĝ_kj is never longer than the edges around it: single precision will do.
   struct alignas(16) Spoke {
-    float x, y, z;  // Ĝ_kj
-    float weight;   // w_kj = Σ c, as in the Laplacian
+    float x, y, z;
+    Index neighbour;  // j
   };
 
   /// Σ_j Ĝ_kj (x_j − x_k)ᵀ, row by row, and Σ_j w_kj (x_j − x_k) = −L V at a vertex, as two overlapping pairs of columns.
@@ -34,11 +34,11 @@ class VertexRings : public EdgeSet {
   RingSums sumRing(const Points& output, Index k) const;
   void collectRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
 
-  std::vector<Index> start_;      // #V + 1
-  std::vector<Index> neighbour_;  // j, ring by ring
-  std::vector<Spoke> spokes_;     // beside `neighbour_`
-  Points restPull_;               // #V×3, −L V₀
-  double restEnergy_ = 0;         // Σ_k Σ_e c_e |d_e|²
+  std::vector<Index> start_;     // #V + 1
+  std::vector<Spoke> spokes_;    // ring by ring
+  std::vector<double> weights_;  // w_kj = Σ c, as in the Laplacian; those of thin faces are huge and cancel
+  Points restPull_;              // #V×3, −L V₀
+  double restEnergy_ = 0;        // Σ_k Σ_e c_e |d_e|²
 };
 
 }  // namespace whittle

@@ -1,0 +1,30 @@
+import { writeFileSync } from 'node:fs';
+import { benchmarkAgainst } from './against.ts';
+import { type MethodId, parseOptions } from './options.ts';
+import { type Build, type Measurement, measure } from './program.ts';
+import { describeMachine, report } from './report.ts';
+
+const resultsFile = 'wasm/bench/RESULTS.md';
+
+/** The core against the plain Eigen path, natively and as wasm, or against another state of itself. */
+export async function benchmark(args: readonly string[]): Promise<void> {
+  const options = parseOptions(args);
+  if (options.against) {
+    await benchmarkAgainst(options.against, options);
+    return;
+  }
+  const sections: string[] = [];
+  for (const method of options.methods) {
+    const measurements = options.sizes.map((size) => announced(method, size));
+    if (sections.length === 0) sections.push(describeMachine(measurements[0]!));
+    sections.push(report(method, measurements));
+  }
+  const text = `${sections.join('\n\n')}\n`;
+  console.log(text);
+  if (options.write) writeFileSync(resultsFile, `# Results of \`npm run bench\`\n\n${text}`);
+}
+
+function announced(method: MethodId, size: Parameters<typeof measure>[1]): Record<Build, Measurement> {
+  console.error(`${method}, ${size} vertices …`);
+  return measure(method, size);
+}

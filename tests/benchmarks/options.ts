@@ -1,0 +1,53 @@
+/** Methods that the benchmark knows a problem for. */
+export const methods = ['cubic', 'arap'] as const;
+export type MethodId = (typeof methods)[number];
+
+/** Vertices of its meshes: the bunny has 22046, the others are icospheres. */
+export const sizes = [2562, 10242, 22046, 40962, 163842] as const;
+export type Size = (typeof sizes)[number];
+
+export interface Options {
+  readonly methods: readonly MethodId[];
+  readonly sizes: readonly Size[];
+  /** Whether the tables go to `wasm/bench/RESULTS.md` as well. */
+  readonly write: boolean;
+  /** A git reference to time the working tree against. */
+  readonly against?: string;
+}
+
+export const usage = `usage: npm run bench -- [METHOD …] [VERTICES …] [--quick] [--write] [--against REF]
+  METHOD    ${methods.join(' or ')}; both unless one is named
+  VERTICES  ${sizes.join(', ')}; all unless one is named
+  --quick   2562 and 22046 vertices only
+  --write   keeps the tables in wasm/bench/RESULTS.md
+  --against times the working tree's wasm module against that of a commit or branch, 2562 and 22046 vertices by default`;
+
+const quickSizes: readonly Size[] = [2562, 22046];
+
+/** @throws Error, with the usage, for what it does not know */
+export function parseOptions(args: readonly string[]): Options {
+  const chosenMethods: MethodId[] = [];
+  const chosenSizes: Size[] = [];
+  let quick = false;
+  let write = false;
+  let against: string | undefined;
+  for (let i = 0; i < args.length; i++) {
+    const word = args[i]!;
+    const method = methods.find((name) => name === word);
+    const size = sizes.find((vertices) => String(vertices) === word);
+    if (method) chosenMethods.push(method);
+    else if (size) chosenSizes.push(size);
+    else if (word === '--quick') quick = true;
+    else if (word === '--write') write = true;
+    else if (word === '--against' && args[i + 1]) against = args[++i];
+    else throw new Error(`“${word}” is not known here.\n${usage}`);
+  }
+  if (write && against) throw new Error(`--write keeps tables of the yardstick, not of --against.\n${usage}`);
+  const fallback = quick || against ? quickSizes : sizes;
+  return {
+    methods: chosenMethods.length > 0 ? chosenMethods : methods,
+    sizes: chosenSizes.length > 0 ? chosenSizes : fallback,
+    write,
+    ...(against ? { against } : {}),
+  };
+}

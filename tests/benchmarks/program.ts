@@ -1,0 +1,83 @@
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { bunnyLevel, icosphere, type TestMesh } from '../fixtures/meshes.ts';
+import type { MethodId, Size } from './options.ts';
+
+export const builds = ['native', 'wasm'] as const;
+export type Build = (typeof builds)[number];
+
+/** Iterations and time (ms, from the loaded mesh) to a point of a run; both −1 where it was never reached. */
+export interface Milestone {
+  readonly iterations: number;
+  readonly time: number;
+}
+
+/** A run of the core or of the yardstick, energies as shares above the lowest seen. */
+export interface Descent extends Milestone {
+  readonly rested: number;
+  readonly aboveLowest: number;
+  readonly toPercent: Milestone;
+  readonly toPermille: Milestone;
+  readonly stop: Milestone & { readonly aboveLowest: number };
+}
+
+/** A phase of the core and of the yardstick, ms, and how many times as fast the core is. */
+export interface Comparison {
+  readonly ours: number;
+  readonly plain: number;
+  readonly ratio: number;
+}
+
+/** What `whittle-bench` prints; times in ms, memory in bytes. */
+export interface Measurement {
+  readonly vertices: number;
+  readonly compiler: string;
+  readonly memory: number;
+  readonly lowest: number;
+  readonly energyAtFixedCount: number;
+  readonly cold: Descent;
+  readonly warm: Descent;
+  readonly plain: Descent;
+  readonly phases: {
+    readonly prepare: { readonly whole: Comparison; readonly order: Comparison; readonly factor: Comparison };
+    /** `solve`: three right-hand sides through the factor; `rest`: all the others. */
+    readonly iteration: { readonly whole: Comparison; readonly solve: Comparison; readonly rest: Comparison };
+  };
+}
+
+/** The largest mesh gets more time, and still only some iterations of the yardstick. */
+const seconds = (size: Size): number => (size > 100_000 ? 7 : 6);
+
+export function meshOf(size: Size): TestMesh {
+  if (size === 22046) return bunnyLevel(2);
+  return icosphere(Math.round(Math.log((size - 2) / 10) / Math.log(4)));
+}
+
+/** Runs the benchmark program on one mesh, each build in a process of its own. */
+export function measure(method: MethodId, size: Size): Record<Build, Measurement> {
+  const folder = mkdtempSync(join(tmpdir(), 'whittle-bench-'));
+  try {
+    const file = join(folder, 'mesh');
+    const mesh = meshOf(size);
+    const counts = Int32Array.of(mesh.positions.length / 3, mesh.triangles.length / 3);
+    const parts = [counts, mesh.positions, mesh.triangles];
+    writeFileSync(file, Buffer.concat(parts.map((array) => Buffer.from(array.buffer))));
+    const args = [method, file, String(seconds(size))];
+    return {
+      native: run('wasm/build/native-bench/bench/whittle-bench', args),
+      wasm: run(process.execPath, ['wasm/build/wasm-bench/bench/whittle-bench.cjs', ...args]),
+    };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+function run(program: string, args: readonly string[]): Measurement {
+  const { status, stdout, stderr, error } = spawnSync(program, args, { encoding: 'utf8' });
+  if (status === 0) return JSON.parse(stdout) as Measurement;
+  // Uncaught, Emscripten's loader prints all of itself first.
+  const reason = error?.message ?? stderr.trim().slice(-600);
+  throw new Error(`${program} ${args.join(' ')} failed: ${reason}`);
+}

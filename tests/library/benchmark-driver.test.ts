@@ -1,0 +1,123 @@
+import { describe, expect, test } from 'vitest';
+import {
+  duration,
+  markdownTable,
+  median,
+  percent,
+  quantile,
+  times,
+  withSpread,
+} from '../benchmarks/numbers.ts';
+import { methods, parseOptions, sizes } from '../benchmarks/options.ts';
+import { type Descent, type Measurement, meshOf } from '../benchmarks/program.ts';
+import { report } from '../benchmarks/report.ts';
+
+describe('numbers of the benchmark', () => {
+  test('quantiles lie between the values', () => {
+    expect(median([5, 1, 3])).toBe(3);
+    expect(median([4, 1, 2, 3])).toBe(2.5);
+    expect(quantile([10, 20], 0.25)).toBe(12.5);
+    expect(quantile([7], 0.9)).toBe(7);
+    expect(withSpread([0.5, 1, 1.5, 2, 2.5])).toBe('1.50 (1.00–2.00)');
+  });
+
+  test('are written for people', () => {
+    expect(times(4.2)).toBe('4.2×');
+    expect(times(23.4)).toBe('23×');
+    expect(times(-0.1)).toBe('–');
+    expect(times(1 / 0)).toBe('–');
+    expect(percent(0.01245)).toBe('1.2 %');
+    expect(percent(0)).toBe('0 %');
+    expect(percent(3e-7)).toBe('< 0.001 %');
+    expect(percent(-1)).toBe('–');
+    expect(duration(0.6591)).toBe('0.66 ms');
+    expect(duration(412.9)).toBe('410 ms');
+    expect(duration(2820)).toBe('2.8 s');
+    expect(duration(-1)).toBe('–');
+  });
+
+  test('stand in aligned tables', () => {
+    expect(markdownTable(['a', 'build'], [['12345', 'wasm']])).toBe(
+      '| a     | build |\n| ----- | ----- |\n| 12345 | wasm  |',
+    );
+  });
+});
+
+describe('arguments of the benchmark', () => {
+  test('choose methods and sizes', () => {
+    expect(parseOptions([])).toEqual({ methods, sizes, write: false });
+    expect(parseOptions(['--quick', '--write'])).toEqual({ methods, sizes: [2562, 22046], write: true });
+    expect(parseOptions(['cubic', '22046'])).toEqual({ methods: ['cubic'], sizes: [22046], write: false });
+  });
+
+  test('a reference is timed on few sizes unless some are named', () => {
+    expect(parseOptions(['--against', 'main'])).toMatchObject({ against: 'main', sizes: [2562, 22046] });
+    expect(parseOptions(['10242', '--against', 'HEAD~1']).sizes).toEqual([10242]);
+  });
+
+  test.each([[['cubist']], [['--against']], [['123']], [['--write', '--against', 'main']]])(
+    '%j is refused with the usage',
+    (args) => {
+      expect(() => parseOptions(args)).toThrowError(/usage: npm run bench/);
+    },
+  );
+
+  test('every size has its mesh', () => {
+    for (const size of sizes.filter((vertices) => vertices < 50_000))
+      expect(meshOf(size).positions.length / 3).toBe(size);
+  });
+});
+
+describe('report of the benchmark', () => {
+  const compare = (plain: number, ours: number) => ({ ours, plain, ratio: plain / ours });
+  const run: Descent = {
+    iterations: 208,
+    time: 1500,
+    rested: 1,
+    aboveLowest: 0,
+    toPercent: { iterations: 18, time: 200 },
+    toPermille: { iterations: 36, time: 100 },
+    stop: { iterations: 58, time: 150, aboveLowest: 8e-5 },
+  };
+  const never = { iterations: -1, time: -1 };
+  const plain: Descent = {
+    ...run,
+    rested: 0,
+    toPercent: never,
+    toPermille: never,
+    stop: { iterations: 111, time: 2500, aboveLowest: 0.0124 },
+  };
+  const measurement: Measurement = {
+    vertices: 22046,
+    compiler: 'a compiler',
+    memory: 22046 * 1024,
+    lowest: 1,
+    energyAtFixedCount: 1.04,
+    cold: run,
+    warm: run,
+    plain,
+    phases: {
+      prepare: { whole: compare(90, 30), order: compare(12, 12), factor: compare(25, 10) },
+      iteration: { whole: compare(30, 2), solve: compare(3, 1), rest: compare(27, 1) },
+    },
+  };
+
+  test('says how many times as fast, which bars are met and what was never reached', () => {
+    const text = report('cubic', [{ native: measurement, wasm: measurement }]);
+    expect(text).toContain(
+      '| 22046    | wasm   | 1.0×  | 2.5×   | 3.0×    | 27×   | 3.0×  | 15×       | 500',
+    );
+    expect(text).toMatch(/\| solve +\| 4× +\| 3\.0× +\| no/);
+    expect(text).toMatch(/within 0\.1 %.*\| 20× +\| 25× +\| yes/);
+    expect(text).toContain('not before / not before');
+    expect(text).toContain('22 MB, 1.00 KB');
+  });
+
+  test('marks numbers whose E* is not known for sure', () => {
+    const unrested = { ...measurement, cold: { ...run, rested: 0 } };
+    const text = report('arap', [{ native: unrested, wasm: unrested }]);
+    expect(text).toContain('≈ 18 / 36');
+    expect(text).toContain('208 (time was up)');
+    expect(text).not.toContain('Bars');
+  });
+});

@@ -1,0 +1,99 @@
+// Times the core against the yardstick on one mesh, in one process, and prints the numbers as JSON (times in ms, memory in
+// bytes).
+//
+// usage: whittle-bench cubic|arap MESH SECONDS
+//
+// MESH is a file as `readProblem` wants it. SECONDS bounds the long run of the core and that of the yardstick, each.
+
+#ifndef __EMSCRIPTEN__
+#include <sys/resource.h>
+#endif
+
+#include "bench/descent.h"
+#include "bench/phases.h"
+
+using namespace whittle;
+using namespace whittle::bench;
+
+namespace {
+
+/// The most memory so far: pages of the wasm memory, which never shrinks, or the process's resident set.
+double peakMemory() {
+#ifdef __EMSCRIPTEN__
+  return 65536.0 * __builtin_wasm_memory_size(0);
+#else
+  // Where the system tells it: what `getrusage` says begins with the size of the process that started this one.
+  if (std::FILE* status = std::fopen("/proc/self/status", "r")) {
+    char line[256];
+    double kilobytes = 0;
+    while (std::fgets(line, sizeof line, status) && std::sscanf(line, "VmHWM: %lf", &kilobytes) != 1) {
+    }
+    std::fclose(status);
+    if (kilobytes > 0) return 1024 * kilobytes;
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * usage.ru_maxrss;
+#endif
+}
+
+#ifdef __clang__
+constexpr const char* kCompiler = __VERSION__;
+#else
+constexpr const char* kCompiler = "g++ " __VERSION__;
+#endif
+
+constexpr int kFixedCount = 20;  // iterations after which builds are compared
+
+/// Iterations and time to a share above E*.
+Json toWithin(const Descent& run, double lowest, double share) {
+  const int count = run.iterationsTo((1 + share) * lowest);
+  return Json().add("iterations", count).add("time", count < 0 ? -1 : run.times[count]);
+}
+
+Json describe(const Descent& run, double lowest) {
+  // The energy after the last iteration is not known where the run ended there.
+  const int stop = run.stop >= 0 && run.stop < static_cast<int>(run.energies.size()) ? run.stop : -1;
+  Json atStop;
+  atStop.add("iterations", stop).add("time", stop < 0 ? -1 : run.times[stop]);
+  atStop.add("aboveLowest", stop < 0 ? -1 : run.energies[stop] / lowest - 1);
+  return Json()
+      .add("iterations", static_cast<double>(run.energies.size()) - 1)
+      .add("time", run.times.back())
+      .add("rested", run.rested)
+      .add("aboveLowest", run.energies.back() / lowest - 1)
+      .add("toPercent", toWithin(run, lowest, 0.01))
+      .add("toPermille", toWithin(run, lowest, 0.001))
+      .add("stop", atStop);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string method = argc == 4 ? argv[1] : "";
+  if (method != "cubic" && method != "arap") {
+    require(Status::failure(Code::badParameter, "usage: whittle-bench cubic|arap MESH SECONDS"));
+  }
+  const Problem problem = readProblem(method, argv[2]);
+  const double seconds = std::atof(argv[3]);
+
+  // First of all the core, cold: a fresh process, as a person who opens the page has it.
+  const Descent ours = descend(problem, seconds);
+  const double memory = peakMemory();
+  const Descent plain = descendPlainly(problem, seconds);
+  const double lowest = std::min(ours.lowest(), plain.lowest());
+  const Descent warm = descend(problem, seconds, 1.001 * lowest);
+
+  Json result;
+  result.add("vertices", problem.mesh.vertexCount()).add("faces", problem.mesh.faceCount());
+  result.add("compiler", std::string(kCompiler));
+  result.add("memory", memory);
+  result.add("lowest", lowest);
+  result.add("energyAtFixedCount", ours.energies[std::min<std::size_t>(kFixedCount, ours.energies.size() - 1)]);
+  result.add("cold", describe(ours, lowest));
+  result.add("warm", describe(warm, lowest));
+  result.add("plain", describe(plain, lowest));
+  result.add("phases", measurePhases(problem, seconds / 2));
+  std::printf("%s\n", result.text().c_str());
+  return 0;
+}

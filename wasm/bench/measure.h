@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+
+namespace whittle::bench {
+
+inline double milliseconds() {
+  using namespace std::chrono;
+  return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+template <typename Work>
+double timed(Work&& work) {
+  const double start = milliseconds();
+  work();
+  return milliseconds() - start;
+}
+
+/// Times of one piece of work, in ms.
+class Samples {
+ public:
+  void add(double time) { times_.push_back(time); }
+  double median() const {
+    std::vector<double> sorted = times_;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted.empty() ? 0 : sorted[sorted.size() / 2];
+  }
+
+ private:
+  std::vector<double> times_;
+};
+
+/// Ends the program with a sentence where something failed: a number that is not there is no number.
+inline void require(const Status& status) {
+  if (status.ok()) return;
+  std::fprintf(stderr, "%s: %s\n", codeName(status.code), status.message.c_str());
+  std::exit(1);
+}
+
+/// An object of JSON, written front to back.
+class Json {
+ public:
+  Json& add(const char* key, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return raw(key, text);
+  }
+  Json& add(const char* key, const std::string& text) { return raw(key, "\"" + text + "\""); }
+  Json& add(const char* key, const Json& object) { return raw(key, object.text()); }
+  std::string text() const { return "{" + body_ + "}"; }
+
+ private:
+  Json& raw(const char* key, const std::string& value) {
+    body_ += (body_.empty() ? "\"" : ",\"") + std::string(key) + "\":" + value;
+    return *this;
+  }
+
+  std::string body_;
+};
+
+}  // namespace whittle::bench

@@ -1,0 +1,72 @@
+#include "bench/problem.h"
+
+#include <cstdio>
+
+#include "bench/measure.h"
+
+namespace whittle::bench {
+
+namespace {
+
+TriangleMesh readMesh(const char* path) {
+  std::FILE* file = std::fopen(path, "rb");
+  const auto read = [file](void* into, std::size_t bytes) {
+    if (!file || std::fread(into, 1, bytes, file) != bytes) {
+      require(Status::failure(Code::badParameter, "the mesh file cannot be read"));
+    }
+  };
+  std::int32_t counts[2];
+  read(counts, sizeof counts);
+  TriangleMesh mesh{Points(counts[0], 3), Triangles(counts[1], 3)};
+  read(mesh.positions.data(), sizeof(double) * mesh.positions.size());
+  read(mesh.triangles.data(), sizeof(Index) * mesh.triangles.size());
+  std::fclose(file);
+  return mesh;
+}
+
+/// Both ends of the longest axis are held, the upper one turned by 60° about it and pushed aside.
+Handles twist(const Points& positions) {
+  const Eigen::RowVector3d low = positions.colwise().minCoeff();
+  const Eigen::RowVector3d extent = positions.colwise().maxCoeff() - low;
+  Index axis;
+  extent.maxCoeff(&axis);
+  const Mat3 turn = Eigen::AngleAxisd(EIGEN_PI / 3, Vec3::Unit(axis)).toRotationMatrix();
+  const Vec3 push = 0.2 * Vec3::Unit((axis + 1) % 3);
+  std::vector<Index> held;
+  for (Index v = 0; v < positions.rows(); ++v) {
+    const double height = (positions(v, axis) - low[axis]) / extent[axis];
+    if (height < 0.1 || height > 0.9) held.push_back(v);
+  }
+  Handles handles{held, Points(held.size(), 3)};
+  for (std::size_t h = 0; h < held.size(); ++h) {
+    const Vec3 rest = positions.row(held[h]).transpose();
+    const bool upper = (rest[axis] - low[axis]) / extent[axis] > 0.5;
+    handles.targets.row(h) = (upper ? Vec3(turn * rest + push) : rest).transpose();
+  }
+  return handles;
+}
+
+}  // namespace
+
+Problem readProblem(const std::string& method, const char* path) {
+  Problem problem{method, inUnitFrame(readMesh(path)), {}};
+  if (method == "cubic") {
+    problem.plain.cubeness = 0.4;
+  } else {
+    problem.plain.handles = twist(problem.mesh.positions);
+  }
+  return problem;
+}
+
+Status open(Session& session, const Problem& problem) {
+  if (Status status = session.load(problem.mesh); !status.ok()) return status;
+  if (Status status = session.select(problem.method); !status.ok()) return status;
+  if (problem.method == "cubic") {
+    if (Status status = session.setNumber("lambda", problem.plain.cubeness); !status.ok()) return status;
+  }
+  if (Status status = session.setNumber("tolerance", 0); !status.ok()) return status;
+  if (Status status = session.setNumber("maxIterations", 1e6); !status.ok()) return status;
+  return session.setHandles(problem.plain.handles);
+}
+
+}  // namespace whittle::bench

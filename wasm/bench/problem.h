@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "session/session.h"
+#include "yardstick/plain_local_global.h"
+
+namespace whittle::bench {
+
+/// What both sides solve, in the unit frame.
+struct Problem {
+  std::string method;
+  TriangleMesh mesh;
+  PlainProblem plain;
+};
+
+/// Reads int32 vertex and face counts, float64 positions #V×3 and int32 triangles #F×3 from a file. `cubic` is at λ 0.4; for
+/// `arap` the lower tenth of the longest axis stays and the upper tenth turns. Ends the program where the file is short.
+Problem readProblem(const std::string& method, const char* path);
+
+/// Loads a problem into a session and chooses method and parameters; no tolerance, the default acceleration.
+Status open(Session& session, const Problem& problem);
+
+}  // namespace whittle::bench
