@@ -1,0 +1,32 @@
+import type { GaussMap } from '../methods/gauss-map.ts';
+import { SphereLocator } from './sphere-locator.ts';
+import { add, dot, row, scale, unit, type Vec3 } from './vectors.ts';
+
+/** Says which normal a style wants where the input has the given one (unit; the answer is too). */
+export type GaussLookup = (normal: Vec3) => Vec3;
+
+/** A style as a function, for pictures and measures; the core has its own for solving. Ask for neighbours in a row. */
+export function lookup(map: GaussMap): GaussLookup {
+  if (map.kind === 'closest') return (normal) => closest(map.normals, normal);
+  const { points, triangles, normals, per } = map;
+  const locator = new SphereLocator(points, triangles);
+  return (normal) => {
+    const { face, weights } = locator.locate(normal);
+    if (per === 'face') return row(normals, face);
+    const corner = (k: 0 | 1 | 2): Vec3 => scale(row(normals, triangles[3 * face + k]!), weights[k]);
+    return unit(add(add(corner(0), corner(1)), corner(2)));
+  };
+}
+
+function closest(normals: Float64Array, normal: Vec3): Vec3 {
+  let best = 0;
+  let nearest = -Infinity;
+  for (let n = 0; n < normals.length / 3; n++) {
+    const cosine = dot(row(normals, n), normal);
+    if (cosine > nearest) {
+      nearest = cosine;
+      best = n;
+    }
+  }
+  return row(normals, best);
+}
