@@ -10,8 +10,11 @@ import type { PageElement } from './panels/page-element.ts';
 import './styles/all.css';
 import { listenForDrops } from './tools/drop.ts';
 import { followLayout } from './tools/layout.ts';
+import { followOverlay } from './tools/overlay-paint.ts';
 import { Page } from './tools/page.ts';
+import { Painter } from './tools/painter.ts';
 import { listenForShortcuts } from './tools/shortcuts.ts';
+import { StyleDesk } from './tools/style-desk.ts';
 import { followTheme } from './tools/theme.ts';
 
 const element = (selector: string) => document.querySelector<HTMLElement>(selector)!;
@@ -20,10 +23,14 @@ const store = new Store();
 const viewer = openViewer();
 const lessMotion = matchMedia('(prefers-reduced-motion: reduce)');
 const display = new Display(viewer, () => (lessMotion.matches ? 0 : 260), nextFrame);
-const workspace = new Workspace(store, new Runner(createBrowserEngine()), display);
-const page = new Page({ store, workspace, display, viewer });
+const engine = createBrowserEngine();
+const workspace = new Workspace(store, new Runner(engine), display);
+const styles = new StyleDesk({ store, workspace, engine, drawn: nextFrame });
+const painter = new Painter(store, workspace, (run) => requestAnimationFrame(run));
+const page = new Page({ store, workspace, styles, painter, display, viewer });
 
 followTheme(store, viewer);
+followOverlay(store, viewer);
 for (const panel of document.querySelectorAll<PageElement>('[data-panel]')) panel.page = page;
 if (viewer) followLayout(viewer, element('#stage'), element('.sheet'), element('whittle-viewbar'));
 listenForDrops(page);

@@ -12,7 +12,6 @@ import { frameOf, toView, type ViewFrame } from './view-frame.ts';
 export class Surface {
   readonly geometry = new BufferGeometry();
   readonly frame: ViewFrame;
-  readonly hasColors: boolean;
   readonly #mesh: Mesh;
   readonly #welded: { triangles: Uint32Array; vertices: number };
   readonly #normals: NormalWriter;
@@ -29,12 +28,22 @@ export class Surface {
     this.#normals = new NormalWriter(mesh.triangles, triangles, vertexOfPosition, vertices);
     this.#position = dynamic(mesh.positions.length);
     this.#normal = dynamic(mesh.positions.length);
-    this.hasColors = mesh.colors !== undefined;
     this.geometry.setAttribute('position', this.#position);
     this.geometry.setAttribute('normal', this.#normal);
-    if (mesh.colors) this.geometry.setAttribute('color', new BufferAttribute(mesh.colors, 3));
     this.geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
+    this.paint(null);
     this.write(mesh.positions);
+  }
+
+  get hasColors(): boolean {
+    return this.geometry.hasAttribute('color');
+  }
+
+  /** Colours of your own (#P×3, linear), or null for the file's. */
+  paint(colors: Float32Array<ArrayBuffer> | null): void {
+    const shown = colors ?? this.#mesh.colors;
+    if (shown) this.geometry.setAttribute('color', new BufferAttribute(shown, 3));
+    else this.geometry.deleteAttribute('color');
   }
 
   /** View-space positions as they are drawn now, #P×3; a live view, not a copy. */

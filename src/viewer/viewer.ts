@@ -7,6 +7,7 @@ import {
   Mesh as MeshObject,
   MeshStandardMaterial,
   PCFShadowMap,
+  Quaternion,
   Scene,
 } from 'three';
 import type { Mesh } from '../mesh/mesh.ts';
@@ -59,6 +60,8 @@ export class Viewer {
   #morph: Morph | null = null;
   #zUp = false;
   #drawings = 0;
+  readonly #turnListeners = new Set<() => void>();
+  readonly #seenFrom = new Quaternion();
 
   /** @throws Error with a sentence for people when the browser gives no WebGL context */
   constructor(canvas: HTMLCanvasElement, options: ViewerOptions = {}) {
@@ -85,6 +88,17 @@ export class Viewer {
   /** How often it has drawn; a page at rest does not count up. */
   get drawings(): number {
     return this.#drawings;
+  }
+
+  /** From where one looks, and whether the file's z axis points up there. */
+  get view(): { readonly orientation: Quaternion; readonly zUp: boolean } {
+    return { orientation: this.#rig.camera.quaternion, zUp: this.#zUp };
+  }
+
+  /** Calls the listener whenever {@link view} has changed, until the returned function is called. */
+  onTurn(listener: () => void): () => void {
+    this.#turnListeners.add(listener);
+    return () => this.#turnListeners.delete(listener);
   }
 
   /** Shows another mesh and frames it. @param up the axis that points up in the file */
@@ -135,6 +149,13 @@ export class Viewer {
       this.#turned.add(this.#lines);
     }
     if (this.#lines) this.#lines.visible = shading === 'wire';
+    this.#loop.invalidate();
+  }
+
+  /** Colours the mesh by something other than its file, #P×3 linear; null takes that away. The next {@link show} does too. */
+  setColors(colors: Float32Array<ArrayBuffer> | null): void {
+    this.#surface?.paint(colors);
+    this.#paint();
     this.#loop.invalidate();
   }
 
@@ -226,6 +247,14 @@ export class Viewer {
     }
     if (this.#rig.update(now)) this.#loop.invalidate();
     this.#render();
+    this.#tellTurn();
+  }
+
+  #tellTurn(): void {
+    const { quaternion } = this.#rig.camera;
+    if (this.#seenFrom.equals(quaternion)) return;
+    this.#seenFrom.copy(quaternion);
+    for (const listener of this.#turnListeners) listener();
   }
 
   #render(): void {

@@ -28,7 +28,7 @@ function desk(options: FakeOptions = {}) {
     async () => {},
   );
   const workspace = new Workspace(store, new Runner(engine), display);
-  const lambda = (value: number) => ({ ...workspace.document!.parameters, lambda: value });
+  const lambda = (value: number) => ({ parameters: { ...workspace.document!.parameters, lambda: value } });
   return { engine, store, canvas, display, workspace, lambda };
 }
 
@@ -100,7 +100,7 @@ describe('a gesture', () => {
     const before = workspace.document!;
     workspace.preview(lambda(0.9));
     await quiet(store);
-    workspace.commit(before.parameters, 'Cubeness');
+    workspace.commit({ parameters: before.parameters }, 'Cubeness');
     await quiet(store);
     expect(workspace.document).toBe(before);
     expect(store.state.history.past).toHaveLength(0);

@@ -1,6 +1,7 @@
 import type { Outcome, Solved } from '../../src/engine/protocol.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
+import type { GaussMap } from '../../src/methods/gauss-map.ts';
 
 /** The file as it came. */
 export interface Source {
@@ -25,13 +26,30 @@ export interface Result {
   readonly milliseconds: number;
 }
 
+/** A style as the document holds it: enough to solve, to show which it is, and to say it in a recipe. Immutable. */
+export interface ChosenStyle {
+  /** Of its entry in the gallery, or `painted`. */
+  readonly id: string;
+  readonly name: string;
+  /** What a recipe and the command line call it: a name of ours or a file. */
+  readonly source: string;
+  readonly map: GaussMap;
+}
+
+/** What is to be done to a mesh. */
+export interface Shaping {
+  readonly method: string;
+  /** But for the style, which the methods that take one get from `style`. */
+  readonly parameters: ParameterValues;
+  /** Kept while another method is chosen. Null until one was chosen. */
+  readonly style: ChosenStyle | null;
+}
+
 /** All that undo brings back. Immutable: a change is a new document. The camera is not in it. */
-export interface WhittleDocument {
+export interface WhittleDocument extends Shaping {
   readonly source: Source;
   readonly mesh: Mesh;
   readonly report: MeshReport;
-  readonly method: string;
-  readonly parameters: ParameterValues;
   readonly result: Result | null;
 }
 
@@ -57,8 +75,12 @@ export function sameParameters(a: ParameterValues, b: ParameterValues): boolean 
   return [...names].every((name) => a[name] === b[name]);
 }
 
-/** The same document with other values: what it shows is now only a preview of them. */
-export function withParameters(document: WhittleDocument, parameters: ParameterValues): WhittleDocument {
+export function sameShaping(a: Shaping, b: Shaping): boolean {
+  return a.method === b.method && a.style?.map === b.style?.map && sameParameters(a.parameters, b.parameters);
+}
+
+/** The same document with other settings: what it shows is now only a preview of them. */
+export function withShaping(document: WhittleDocument, change: Partial<Shaping>): WhittleDocument {
   const { result } = document;
-  return { ...document, parameters, result: result && { ...result, state: 'preview' } };
+  return { ...document, ...change, result: result && { ...result, state: 'preview' } };
 }

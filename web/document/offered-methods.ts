@@ -1,11 +1,24 @@
-import type { MeshReport } from '../../src/mesh/mesh.ts';
-import type { MethodDescriptor, ParameterDescriptor, ParameterValues } from '../../src/methods/descriptor.ts';
-import { methods } from '../../src/methods/registry.ts';
+import type {
+  ChoiceParameter,
+  MethodDescriptor,
+  NumberParameter,
+  ParameterDescriptor,
+  ParameterValues,
+} from '../../src/methods/descriptor.ts';
+import { findMethod, methods } from '../../src/methods/registry.ts';
+import type { Shaping, WhittleDocument } from './document.ts';
 import { startingLambda } from './starting-lambda.ts';
 
+/** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
+export type EditableParameter = NumberParameter | ChoiceParameter;
+
+export function isEditable(parameter: ParameterDescriptor): parameter is EditableParameter {
+  return ['number', 'integer', 'choice'].includes(parameter.kind);
+}
+
 /** Parameters that the panel can set. */
-export function editableParameters(method: MethodDescriptor): readonly ParameterDescriptor[] {
-  return method.parameters.filter(({ kind }) => kind !== 'handles');
+export function editableParameters(method: MethodDescriptor): readonly EditableParameter[] {
+  return method.parameters.filter(isEditable);
 }
 
 /** Methods that a person can do something with here: at least one plain control, not only fine-tuning. */
@@ -13,11 +26,23 @@ export function offeredMethods(all: readonly MethodDescriptor[] = methods): read
   return all.filter((method) => editableParameters(method).some(({ advanced }) => !advanced));
 }
 
-/** What a method opens with on a mesh: its defaults, but for what depends on the mesh. */
-export function startingParameters(method: MethodDescriptor, report: MeshReport): ParameterValues {
+/** Methods that borrow from a style: the gallery's. */
+export function takesStyle(method: MethodDescriptor | undefined): boolean {
+  return method?.parameters.some(({ name }) => name === 'style') ?? false;
+}
+
+/** What a method opens with on a mesh: its defaults, but for what depends on the mesh and the style. */
+export function startingParameters(
+  method: MethodDescriptor,
+  { report }: Pick<WhittleDocument, 'report' | 'style'>,
+): ParameterValues {
   const values: Record<string, number | string> = {};
-  for (const parameter of editableParameters(method))
-    if (parameter.kind !== 'handles') values[parameter.name] = parameter.default;
+  for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
   if (typeof values.lambda === 'number') values.lambda = startingLambda(report.vertices);
   return values;
+}
+
+/** What the engine gets. */
+export function solverParameters({ method, parameters, style }: Shaping): ParameterValues {
+  return style && takesStyle(findMethod(method)) ? { ...parameters, style: style.map } : parameters;
 }

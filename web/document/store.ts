@@ -1,5 +1,8 @@
+import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { WhittleDocument } from './document.ts';
 import { emptyHistory, type History } from './history.ts';
+import type { Overlay } from './overlays.ts';
+import { builtIn, type StyleEntry } from './style-gallery.ts';
 
 export type Activity =
   | { readonly kind: 'idle' }
@@ -20,6 +23,8 @@ export interface Notice {
   readonly action?: { readonly label: string; readonly run: () => void };
 }
 
+/** What the colours on the mesh show; `none` is the clay or the file's own colours. */
+export type OverlayName = 'none' | 'before' | 'after' | 'moved';
 export type Shading = 'smooth' | 'flat' | 'wire';
 export type Theme = 'auto' | 'light' | 'dark';
 
@@ -29,6 +34,32 @@ export interface Look {
   readonly theme: Theme;
   /** The file's own shape is shown in place of the result. */
   readonly comparing: boolean;
+  readonly overlay: OverlayName;
+}
+
+/** A style mesh on its way to the sphere. */
+export interface Flow {
+  readonly name: string;
+  readonly mesh: Pick<Mesh, 'positions' | 'triangles'>;
+  /** #P×3; good until the next frame. */
+  readonly positions: Float64Array;
+}
+
+/** A dropped style that is not convex, and waits for a word whether to read it through the sphere. */
+export interface Offer {
+  readonly entry: StyleEntry;
+  readonly why: string;
+}
+
+/** What there is to borrow from; never undone. */
+export interface Gallery {
+  readonly entries: readonly StyleEntry[];
+  /** The style that is being read, by its id. */
+  readonly pending: string | null;
+  readonly flow: Flow | null;
+  readonly offer: Offer | null;
+  /** The painter is open. */
+  readonly painting: boolean;
 }
 
 export interface State {
@@ -37,6 +68,9 @@ export interface State {
   readonly activity: Activity;
   readonly notice: Notice | null;
   readonly look: Look;
+  /** What {@link Look.overlay} measures of the document. */
+  readonly overlay: Overlay | null;
+  readonly gallery: Gallery;
 }
 
 export type Listener = (state: State) => void;
@@ -48,7 +82,9 @@ export class Store {
     history: emptyHistory,
     activity: { kind: 'idle' },
     notice: null,
-    look: { shading: 'smooth', theme: 'auto', comparing: false },
+    look: { shading: 'smooth', theme: 'auto', comparing: false, overlay: 'none' },
+    overlay: null,
+    gallery: { entries: builtIn, pending: null, flow: null, offer: null, painting: false },
   };
   readonly #listeners = new Set<Listener>();
 

@@ -1,11 +1,17 @@
 import type { Frame, Solved, SolveSettings } from '../../src/engine/protocol.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { Display } from './display.ts';
-import { type Result, resultOf, sameParameters, type WhittleDocument, withParameters } from './document.ts';
+import {
+  type Result,
+  resultOf,
+  type Shaping,
+  sameShaping,
+  type WhittleDocument,
+  withShaping,
+} from './document.ts';
 import { amend, record, redo, undo } from './history.ts';
-import { offeredMethods, startingParameters } from './offered-methods.ts';
+import { offeredMethods, solverParameters, startingParameters } from './offered-methods.ts';
 import { isWorkerLost, type Runner, type Task } from './runner.ts';
 import type { Store } from './store.ts';
 
@@ -19,8 +25,8 @@ export class Workspace {
   /** The document as it was when the gesture that is under way began. */
   #gestureFrom: WhittleDocument | null = null;
   #settling: Promise<void> = Promise.resolve();
-  /** The values whose run a person stopped: that shape is kept and not settled after all when the gesture ends. */
-  #stoppedAt: ParameterValues | null = null;
+  /** The settings whose run a person stopped: that shape is kept and not settled after all when the gesture ends. */
+  #stoppedAt: Shaping | null = null;
 
   constructor(store: Store, runner: Runner, display: Display) {
     this.store = store;
@@ -48,31 +54,32 @@ export class Workspace {
     await this.#carve(true);
   }
 
-  /** Follows a gesture: shows what these values give, from where the shape is now. */
-  preview(parameters: ParameterValues): void {
+  /** Follows a gesture: shows what these settings give, from where the shape is now. */
+  preview(change: Partial<Shaping>): void {
     const document = this.document;
     if (!document) return;
     this.#gestureFrom ??= document;
     this.#stoppedAt = null;
-    const next = withParameters(document, parameters);
+    const next = withShaping(document, change);
     this.store.set({ document: next, notice: null });
     this.#display.adopt(next);
     void this.#follow(next);
   }
 
   /** Ends a gesture: notes it for undo and settles it. */
-  commit(parameters: ParameterValues, label: string): void {
+  commit(change: Partial<Shaping>, label: string): void {
     const document = this.document;
     if (!document) return;
     const before = this.#gestureFrom ?? document;
     this.#gestureFrom = null;
-    if (sameParameters(before.parameters, parameters)) {
+    const wanted: Shaping = { ...document, ...change };
+    if (sameShaping(before, wanted)) {
       if (before !== document) this.#goTo(before);
       return;
     }
-    const keep = this.#stoppedAt !== null && sameParameters(this.#stoppedAt, parameters);
+    const keep = this.#stoppedAt !== null && sameShaping(this.#stoppedAt, wanted);
     this.#stoppedAt = null;
-    const after = keep ? document : withParameters(document, parameters);
+    const after = keep ? document : withShaping(document, change);
     this.store.set({
       document: after,
       history: record(this.store.state.history, { label, before, after }),
@@ -87,15 +94,18 @@ export class Workspace {
     const document = this.document;
     const method = findMethod(id);
     if (!document || !method || document.method === id) return;
-    const after = {
-      ...document,
-      method: id,
-      parameters: startingParameters(method, document.report),
-      result: null,
-    };
-    const history = record(this.store.state.history, { label: method.title, before: document, after });
-    this.store.set({ document: after, history });
-    this.#display.document(after);
+    this.restyle({ method: id, parameters: startingParameters(method, document) }, method.title);
+  }
+
+  /** Carves anew with other settings and shows how; one entry for undo. */
+  restyle(change: Partial<Shaping>, label: string): void {
+    const before = this.document;
+    if (!before) return;
+    this.#gestureFrom = this.#stoppedAt = null;
+    const after = withShaping(before, change);
+    const history = record(this.store.state.history, { label, before, after });
+    this.store.set({ document: after, history, notice: null });
+    this.#display.adopt(after);
     void this.#carve(true);
   }
 
@@ -103,13 +113,13 @@ export class Workspace {
   reset(): void {
     const document = this.document;
     const method = document && findMethod(document.method);
-    if (document && method) this.commit(startingParameters(method, document.report), 'Reset');
+    if (document && method) this.commit({ parameters: startingParameters(method, document) }, 'Reset');
   }
 
   /** Stops what is running; the shape on the screen stays. */
   cancel(): boolean {
     if (this.store.state.activity.kind === 'idle') return false;
-    if (this.#gestureFrom) this.#stoppedAt = this.document?.parameters ?? null;
+    if (this.#gestureFrom) this.#stoppedAt = this.document;
     this.#runner.cancel();
     return true;
   }
@@ -153,8 +163,17 @@ export class Workspace {
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
     const method = offeredMethods()[0]!;
-    const parameters = startingParameters(method, report);
-    return { source: { bytes, name, format }, mesh, report, method: method.id, parameters, result: null };
+    const style = this.document?.style ?? null;
+    const parameters = startingParameters(method, { report, style });
+    return {
+      source: { bytes, name, format },
+      mesh,
+      report,
+      method: method.id,
+      parameters,
+      style,
+      result: null,
+    };
   }
 
   #enter(document: WhittleDocument, label: string): void {
@@ -199,7 +218,7 @@ export class Workspace {
       const solved = await this.#solve(task, document, { start: 'current', frames: true }, true);
       const now = this.document;
       // A run that was overtaken by a later value or by the settling run still is the nearest there is to its shape.
-      if (now?.mesh !== document.mesh || now.parameters !== document.parameters) return;
+      if (now?.mesh !== document.mesh || !sameShaping(now, document)) return;
       if (now.result?.state === 'settled') return;
       const state = solved.outcome === 'cancelled' && task.signal.aborted ? 'stopped' : 'preview';
       this.#amend(now, { ...now, result: resultOf(solved, state) });
@@ -215,7 +234,8 @@ export class Workspace {
     how: Pick<SolveSettings, 'start' | 'frames'>,
     live: boolean,
   ): Promise<Solved> {
-    const { mesh, method, parameters } = document;
+    const { mesh, method } = document;
+    const parameters = solverParameters(document);
     const energy: number[] = [];
     this.store.set({ activity: { kind: 'solving', live, iteration: 0, energy } });
     const onFrame = async (frame: Frame) => {

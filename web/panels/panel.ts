@@ -3,12 +3,15 @@ import type { MethodDescriptor, ParameterDescriptor } from '../../src/methods/de
 import { findMethod } from '../../src/methods/registry.ts';
 import type { WhittleDocument } from '../document/document.ts';
 import { exportName, formats, ownFormat } from '../document/formats.ts';
-import { editableParameters, offeredMethods } from '../document/offered-methods.ts';
+import { editableParameters, offeredMethods, takesStyle } from '../document/offered-methods.ts';
 import { icon } from './icons.ts';
+import { measures } from './measures.ts';
 import { PageElement } from './page-element.ts';
 import type { ParameterChange } from './parameter-control.ts';
 import { meshReport } from './report.ts';
+import './gallery.ts';
 import './menu.ts';
+import './painter.ts';
 import './parameter-control.ts';
 
 /** The style and its few controls, made from the method's descriptor; the way home for the result; what the mesh is like. */
@@ -19,8 +22,10 @@ export class WhittlePanel extends PageElement {
     if (!method) return nothing;
     return html`
       ${this.#heading(method)}
+      ${takesStyle(method) && document ? this.#styles() : nothing}
       <div class="controls" @parameter=${this.#change}>${document ? this.#controls(method, document) : nothing}</div>
       ${document ? this.#home(document) : nothing}
+      ${document ? measures(this.page, this.state) : nothing}
       ${document ? meshReport(document) : nothing}
     `;
   }
@@ -29,14 +34,29 @@ export class WhittlePanel extends PageElement {
     const offered = offeredMethods();
     return html`
       <header class="method">
-        ${
-          offered.length > 1
-            ? html`<select aria-label="Style" .value=${method.id} @change=${this.#choose}>${offered.map(({ id, title }) => html`<option value=${id}>${title}</option>`)}</select>`
-            : html`<h2>${method.title}</h2>`
-        }
+        ${offered.length > 1 ? this.#switch(method, offered) : html`<h2>${method.title}</h2>`}
         <p title=${method.paper}>${method.summary}</p>
       </header>
     `;
+  }
+
+  #switch(method: MethodDescriptor, offered: readonly MethodDescriptor[]) {
+    return html`
+      <fieldset class="switch">
+        <legend class="hidden">What to do</legend>
+        ${offered.map(
+          ({ id, title }) => html`
+            <label><input type="radio" name="method" .value=${id} .checked=${id === method.id} @change=${this.#choose} /><span>${title}</span></label>`,
+        )}
+      </fieldset>`;
+  }
+
+  #styles() {
+    return html`
+      <div class="styles" data-takes-styles>
+        <whittle-gallery .page=${this.page}></whittle-gallery>
+        ${this.state.gallery.painting ? html`<whittle-painter .page=${this.page}></whittle-painter>` : nothing}
+      </div>`;
   }
 
   #controls(method: MethodDescriptor, document: WhittleDocument) {
@@ -80,15 +100,15 @@ export class WhittlePanel extends PageElement {
   }
 
   readonly #choose = (event: Event): void =>
-    this.page.workspace.chooseMethod((event.target as HTMLSelectElement).value);
+    void this.page.styles.chooseMethod((event.target as HTMLInputElement).value);
 
   readonly #change = (event: CustomEvent<ParameterChange>): void => {
     const { document } = this.state;
     if (!document) return;
     const { name, value, phase } = event.detail;
     const parameters = { ...document.parameters, [name]: value };
-    if (phase === 'preview') this.page.workspace.preview(parameters);
-    else this.page.workspace.commit(parameters, labelOf(document.method, name));
+    if (phase === 'preview') this.page.workspace.preview({ parameters });
+    else this.page.workspace.commit({ parameters }, labelOf(document.method, name));
   };
 }
 

@@ -1,3 +1,4 @@
+import { Quaternion } from 'three';
 import type { Viewer } from '../../src/viewer/viewer.ts';
 import type { Display } from '../document/display.ts';
 import { commandLine, exportName, type Format, ownFormat } from '../document/formats.ts';
@@ -5,11 +6,16 @@ import { fetchSample, type Sample } from '../document/samples.ts';
 import type { Look, Store } from '../document/store.ts';
 import type { Workspace } from '../document/workspace.ts';
 import { chooseMesh } from './choose-mesh.ts';
+import type { ViewTurn } from './directions.ts';
+import type { Painter } from './painter.ts';
 import { copyText, saveFile } from './save.ts';
+import type { StyleDesk } from './style-desk.ts';
 
 export interface PageParts {
   readonly store: Store;
   readonly workspace: Workspace;
+  readonly styles: StyleDesk;
+  readonly painter: Painter;
   readonly display: Display;
   /** Null where the browser draws no 3D. */
   readonly viewer: Viewer | null;
@@ -19,12 +25,16 @@ export interface PageParts {
 export class Page {
   readonly store: Store;
   readonly workspace: Workspace;
+  readonly styles: StyleDesk;
+  readonly painter: Painter;
   readonly #display: Display;
   readonly #viewer: Viewer | null;
 
-  constructor({ store, workspace, display, viewer }: PageParts) {
+  constructor({ store, workspace, styles, painter, display, viewer }: PageParts) {
     this.store = store;
     this.workspace = workspace;
+    this.styles = styles;
+    this.painter = painter;
     this.#display = display;
     this.#viewer = viewer;
   }
@@ -33,8 +43,9 @@ export class Page {
     await this.#attempt(async () => this.workspace.open(await fetchSample(sample), sample.file));
   }
 
-  /** Opens the mesh among some files; says what it left out. */
+  /** Opens the mesh among some files; says what it left out. A picture alone is a normal capture. */
   async openFiles(files: readonly File[]): Promise<void> {
+    if (files.length === 1 && /\.png$/i.test(files[0]!.name)) return this.addStyles(files);
     const { mesh, note } = chooseMesh(files);
     if (!mesh) {
       if (note) this.store.set({ notice: { tone: 'error', text: note } });
@@ -47,12 +58,31 @@ export class Page {
   }
 
   pickFile(): void {
-    const input = document.createElement('input');
-    input.type = 'file';
-    input.multiple = true;
-    input.accept = '.obj,.stl,.ply,.off,.glb,.gltf';
-    input.addEventListener('change', () => void this.openFiles([...(input.files ?? [])]));
-    input.click();
+    pickFiles(meshEndings, (files) => void this.openFiles(files));
+  }
+
+  /** Makes styles of meshes and normal captures; the last one is put on. */
+  async addStyles(files: readonly File[]): Promise<void> {
+    for (const file of files)
+      await this.#attempt(async () => this.styles.add(new Uint8Array(await file.arrayBuffer()), file.name));
+  }
+
+  pickStyle(endings = `.png,${meshEndings}`): void {
+    pickFiles(endings, (files) => void this.addStyles(files));
+  }
+
+  saveCapture(): void {
+    saveFile(new Blob([this.painter.picture()]), 'painted.png');
+  }
+
+  /** From where one looks at the file's axes. */
+  get view(): ViewTurn {
+    return this.#viewer?.view ?? { orientation: new Quaternion(), zUp: false };
+  }
+
+  /** Calls the listener whenever {@link view} has changed, until the returned function is called. */
+  watchView(listener: () => void): () => void {
+    return this.#viewer?.onTurn(listener) ?? (() => {});
   }
 
   async export(format?: Format): Promise<void> {
@@ -106,4 +136,15 @@ export class Page {
       this.store.set({ notice: { tone: 'error', text } });
     }
   }
+}
+
+const meshEndings = '.obj,.stl,.ply,.off,.glb,.gltf';
+
+function pickFiles(endings: string, take: (files: readonly File[]) => void): void {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.multiple = true;
+  input.accept = endings;
+  input.addEventListener('change', () => take([...(input.files ?? [])]));
+  input.click();
 }

@@ -1,0 +1,92 @@
+import { html, nothing } from 'lit';
+import { repeat } from 'lit/directives/repeat.js';
+import { groups, type StyleEntry, type StyleGroup } from '../document/style-gallery.ts';
+import { Photographer } from '../tools/photographer.ts';
+import { stepInGrid } from './grid-steps.ts';
+import { icon } from './icons.ts';
+import { PageElement } from './page-element.ts';
+import './flow-view.ts';
+
+/** The styles as little pictures. Arrow keys walk, Enter takes; a click restyles the mesh at once. */
+export class WhittleGallery extends PageElement {
+  readonly #photographer = new Photographer();
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#photographer.stop();
+  }
+
+  protected override render() {
+    const { offer, flow, pending, entries } = this.state.gallery;
+    return html`
+      <div class="gallery" role="listbox" aria-label="Styles" aria-busy=${pending !== null} @keydown=${this.#key}>
+        ${groups.map(({ id, title }) => this.#group(id, title, entries))}
+      </div>
+      ${offer ? this.#offer(offer.why) : nothing}
+      ${flow ? html`<whittle-flow .flow=${flow}></whittle-flow>` : nothing}
+      <div class="gallery-tools">
+        <button type="button" class="button small" data-act="add-style" title="A mesh, or a PNG of a ball that holds normals; dropping it here does the same" @click=${() => this.page.pickStyle()}>${icon('add')}Add a style</button>
+        <button type="button" class="button small" data-act="paint" aria-pressed=${this.state.gallery.painting} title="Paint normals on a ball" @click=${() => this.page.painter.toggle()}>${icon('brush')}Paint</button>
+      </div>
+    `;
+  }
+
+  protected override updated(): void {
+    this.#photographer.look(this.querySelectorAll<HTMLCanvasElement>('.tile canvas'), (id) =>
+      this.state.gallery.entries.find((entry) => entry.id === id),
+    );
+  }
+
+  #group(group: StyleGroup, title: string, entries: readonly StyleEntry[]) {
+    const members = entries.filter((entry) => entry.group === group);
+    return html`
+      <div role="group" aria-label=${title}>
+        <p class="group-title" aria-hidden="true">${title}</p>
+        <div class="tiles" role="presentation">${repeat(members, ({ id }) => id, this.#tile)}</div>
+      </div>`;
+  }
+
+  readonly #tile = ({ id, name }: StyleEntry) => {
+    const { pending } = this.state.gallery;
+    const chosen = this.page.styles.chosenId === id;
+    return html`
+      <button
+        type="button" class="tile" role="option" data-style=${id} aria-selected=${chosen} tabindex=${chosen ? 0 : -1}
+        ?data-pending=${pending === id} title=${name} @click=${() => this.#choose(id)}
+      ><canvas width="128" height="128" data-picture=${id} aria-hidden="true"></canvas><span>${name}</span></button>`;
+  };
+
+  #offer(why: string) {
+    return html`
+      <div class="offer" role="status">
+        <p>${why} It can be read through the sphere instead, if it is closed and without handles.</p>
+        <div>
+          <button type="button" class="button small" data-act="accept-style" @click=${() => void this.page.styles.accept()}>Let it flow</button>
+          <button type="button" class="button small bare" data-act="decline-style" @click=${() => this.page.styles.decline()}>Leave it</button>
+        </div>
+      </div>`;
+  }
+
+  #choose(id: string): void {
+    const entry = this.state.gallery.entries.find((one) => one.id === id);
+    if (entry) void this.page.styles.choose(entry);
+  }
+
+  readonly #key = (event: KeyboardEvent): void => {
+    const tiles = [...this.querySelectorAll<HTMLElement>('.tile')];
+    const here = tiles.indexOf(document.activeElement as HTMLElement);
+    const to = stepInGrid(
+      tiles.map((tile) => tile.getBoundingClientRect()),
+      here,
+      event.key,
+    );
+    if (to === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    tiles[here]!.tabIndex = -1;
+    tiles[to]!.tabIndex = 0;
+    tiles[to]!.focus();
+  };
+}
+
+customElements.define('whittle-gallery', WhittleGallery);

@@ -1,0 +1,157 @@
+import type { Engine } from '../../src/engine/client.ts';
+import { toFailure } from '../../src/mesh/failure.ts';
+import { methods } from '../../src/methods/registry.ts';
+import { mapOfPixels } from '../../src/styles/captures.ts';
+import { normalsOfConvex } from '../../src/styles/convex-normals.ts';
+import { isPng, readPng } from '../../src/styles/png.ts';
+import type { ChosenStyle } from '../document/document.ts';
+import { startingParameters, takesStyle } from '../document/offered-methods.ts';
+import type { Gallery, Store } from '../document/store.ts';
+import { firstStyle, ownStyle, type StyleEntry } from '../document/style-gallery.ts';
+import { StyleReader } from '../document/style-reader.ts';
+import type { Workspace } from '../document/workspace.ts';
+
+export interface StyleDeskParts {
+  readonly store: Store;
+  readonly workspace: Workspace;
+  readonly engine: Engine;
+  /** Resolves when what was last set is on the screen. */
+  readonly drawn: () => Promise<void>;
+}
+
+/** All that can be done with styles: choose one, bring one, read it through the sphere. */
+export class StyleDesk {
+  readonly #store: Store;
+  readonly #workspace: Workspace;
+  readonly #engine: Engine;
+  readonly #reader: StyleReader;
+  readonly #drawn: () => Promise<void>;
+  #latest = 0;
+
+  constructor({ store, workspace, engine, drawn }: StyleDeskParts) {
+    this.#store = store;
+    this.#workspace = workspace;
+    this.#engine = engine;
+    this.#drawn = drawn;
+    this.#reader = new StyleReader(engine);
+  }
+
+  /** The style that the document has or, before any was chosen, would get. */
+  get chosenId(): string {
+    return this.#store.state.document?.style?.id ?? firstStyle.id;
+  }
+
+  /** Restyles the mesh. The latest choice wins if an earlier one is still being read. */
+  async choose(entry: StyleEntry, watch = false): Promise<void> {
+    const turn = ++this.#latest;
+    this.#set({ pending: entry.id, offer: null });
+    try {
+      const map = await this.#reader.read(entry, watch ? this.#watch(entry.name) : undefined);
+      if (turn !== this.#latest) return;
+      this.#apply({ id: entry.id, name: entry.name, source: entry.source, map });
+    } catch (thrown) {
+      if (turn === this.#latest) this.#fail(thrown);
+    } finally {
+      if (turn === this.#latest) this.#set({ pending: null, flow: null });
+    }
+  }
+
+  /** The method of that name; one that takes a style gets the one that was chosen last. */
+  async chooseMethod(id: string): Promise<void> {
+    const method = methods.find((one) => one.id === id);
+    const { document, gallery } = this.#store.state;
+    if (!takesStyle(method) || document?.style) this.#workspace.chooseMethod(id);
+    else await this.choose(gallery.entries.find((entry) => entry.id === firstStyle.id)!);
+  }
+
+  /** Reads all that comes with the page while nobody waits, so that the first click is as quick as the second. */
+  async readAhead(): Promise<void> {
+    for (const entry of this.#store.state.gallery.entries) {
+      while (this.#store.state.activity.kind !== 'idle') await pause(100);
+      await this.#reader.read(entry).catch(() => {});
+      await pause(0);
+    }
+  }
+
+  /** Makes a style of a mesh or of a capture, and puts it on. */
+  async add(bytes: Uint8Array<ArrayBuffer>, file: string): Promise<void> {
+    try {
+      const isPicture = isPng(bytes);
+      const entry = isPicture ? captureOf(bytes, file) : await this.#shapeOf(bytes, file);
+      if (entry) await this.#enter(entry);
+    } catch (thrown) {
+      this.#fail(thrown);
+    }
+  }
+
+  /** The person's word: read what is not convex through the sphere. */
+  async accept(): Promise<void> {
+    const { offer } = this.#store.state.gallery;
+    if (!offer) return;
+    const { entries } = this.#store.state.gallery;
+    await this.choose(offer.entry, true);
+    if (this.chosenId === offer.entry.id) this.#set({ entries: [...entries, offer.entry] });
+  }
+
+  decline(): void {
+    this.#set({ offer: null });
+  }
+
+  /** Null where the mesh is to be offered another way. */
+  async #shapeOf(bytes: Uint8Array<ArrayBuffer>, file: string): Promise<StyleEntry | null> {
+    const { mesh } = await this.#engine.read(bytes, file);
+    try {
+      normalsOfConvex(mesh);
+    } catch {
+      // The sphere says what is wrong with it, if anything is.
+      this.#set({
+        offer: {
+          entry: ownStyle('meshes', file, () => ({ mesh })),
+          why: `${file} is not a convex shape with flat faces.`,
+        },
+      });
+      return null;
+    }
+    return ownStyle('shapes', file, () => ({ mesh }));
+  }
+
+  async #enter(entry: StyleEntry): Promise<void> {
+    this.#set({ entries: [...this.#store.state.gallery.entries, entry], offer: null });
+    await this.choose(entry);
+  }
+
+  #apply(style: ChosenStyle): void {
+    const { document } = this.#store.state;
+    const method = methods.find(takesStyle);
+    if (!document || !method) return;
+    const isNew = document.method !== method.id;
+    const parameters = isNew
+      ? startingParameters(method, { report: document.report, style })
+      : document.parameters;
+    this.#workspace.restyle({ method: method.id, parameters, style }, style.name);
+  }
+
+  #watch(name: string) {
+    return async (mesh: { positions: Float64Array; triangles: Uint32Array }, positions: Float64Array) => {
+      this.#set({ flow: { name, mesh: mesh as never, positions } });
+      await this.#drawn();
+    };
+  }
+
+  #set(change: Partial<Gallery>): void {
+    this.#store.set({ gallery: { ...this.#store.state.gallery, ...change } });
+  }
+
+  #fail(thrown: unknown): void {
+    this.#store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
+  }
+}
+
+function captureOf(bytes: Uint8Array, file: string): StyleEntry {
+  const map = mapOfPixels(readPng(bytes, file));
+  return ownStyle('captures', file, () => ({ map }));
+}
+
+function pause(milliseconds: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, milliseconds));
+}
