@@ -8,7 +8,7 @@ constexpr Index kHeld = -1;
 
 }  // namespace
 
-Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& held) {
+Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering) {
   std::vector<Index> freeIndex(A.rows(), 0);
   for (const Index row : held) freeIndex[row] = kHeld;
   free_.clear();
@@ -34,7 +34,15 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   freeBlock.finalize();
   A = SparseMatrix();
 
-  cholesky_.analyze(freeBlock);
+  Ordering ofFree = ordering;  // free rows keep their order, so a natural one stays so
+  Points coordinates;
+  if (ordering.coordinates) {
+    coordinates.resize(freeCount, 3);
+    for (Index i = 0; i < freeCount; ++i) coordinates.row(i) = ordering.coordinates->row(free_[i]);
+    ofFree.coordinates = &coordinates;
+  }
+  cholesky_.analyze(freeBlock, ofFree);
+  coordinates.resize(0, 3);
   return cholesky_.factorize(freeBlock);
 }
 
