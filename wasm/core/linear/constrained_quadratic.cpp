@@ -18,7 +18,6 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
     free_.push_back(row);
   }
   const Index freeCount = static_cast<Index>(free_.size());
-  correction_.resize(freeCount, 3);
   if (freeCount == 0) return {};
 
   SparseMatrix freeBlock(freeCount, freeCount);  // its lower half
@@ -49,12 +48,13 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
 void ConstrainedQuadratic::correct(const std::vector<LaneRow>& residual, const Points& from, Points& X) {
   X = from;
   if (free_.empty()) return;
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    const LaneRow& row = residual[free_[i]];
-    correction_.row(i) << row.x, row.y, row.z;
+  const Index freeCount = static_cast<Index>(free_.size());
+  for (Index i = 0; i < freeCount; ++i) cholesky_.row(i) = residual[free_[i]];
+  cholesky_.solve();
+  for (Index i = 0; i < freeCount; ++i) {
+    const LaneRow& correction = cholesky_.row(i);
+    X.row(free_[i]) += Eigen::RowVector3d(correction.x, correction.y, correction.z);
   }
-  cholesky_.solve(correction_);
-  for (std::size_t i = 0; i < free_.size(); ++i) X.row(free_[i]) += correction_.row(i);
 }
 
 }  // namespace whittle

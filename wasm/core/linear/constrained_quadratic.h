@@ -23,7 +23,6 @@ class ConstrainedQuadratic {
  private:
   std::vector<Index> free_;  // rows of X that are solved for
   SparseCholesky cholesky_;
-  Points correction_;        // #free×3
 };
 
 }  // namespace whittle

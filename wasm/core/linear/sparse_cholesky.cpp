@@ -116,16 +116,16 @@ SolvePanel SparseCholesky::solvePanel(Index s) const {
 }
 
 void SparseCholesky::solve(Points& rhs) {
-  const auto& newOf = supernodes_.newOf;
   for (Index i = 0; i < rhs.rows(); ++i) {
-    rhs_[newOf[i]] = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
+    row(i) = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
   }
+  solve();
+  for (Index i = 0; i < rhs.rows(); ++i) rhs.row(i) << row(i).x, row(i).y, row(i).z;
+}
+
+void SparseCholesky::solve() {
   for (Index s = 0; s < supernodes_.count(); ++s) panelForward(solvePanel(s), rhs_.data(), scratch_.data());
   for (Index s = supernodes_.count() - 1; s >= 0; --s) panelBackward(solvePanel(s), rhs_.data(), scratch_.data());
-  for (Index i = 0; i < rhs.rows(); ++i) {
-    const RhsRow& x = rhs_[newOf[i]];
-    rhs.row(i) << x.x, x.y, x.z;
-  }
 }
 
 }  // namespace whittle

@@ -32,6 +32,11 @@ class SparseCholesky {
   /// Overwrites three right-hand sides (#unknowns×3) with the solutions, in one pass over L. Allocates nothing.
   void solve(Points& rhs);
 
+  /// The same in place, for callers that keep single precision: the row of an unknown takes a right-hand side and, after `solve()`,
+  /// holds the solution.
+  LaneRow& row(Index unknown) { return rhs_[supernodes_.newOf[unknown]]; }
+  void solve();
+
  private:
   /// Where an entry of A's value array goes: its place in the column-major panel of its supernode.
   struct Entry {
@@ -56,8 +61,8 @@ class SparseCholesky {
   std::vector<float> tiles_;
   std::vector<double> diagonal_;          // of A, for the supernode that is being factored
   Multifrontal work_;
-  std::vector<RhsRow> rhs_;               // #unknowns + 1 in the factor's order; the last takes what padding writes
-  std::vector<RhsRow> scratch_;
+  std::vector<LaneRow> rhs_;               // #unknowns + 1 in the factor's order; the last takes what padding writes
+  std::vector<LaneRow> scratch_;
 };
 
 }  // namespace whittle

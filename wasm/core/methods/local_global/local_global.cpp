@@ -67,7 +67,7 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held);
+  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held, {&mesh.positions});
 }
 
 void LocalGlobal::begin(Points& positions) {
