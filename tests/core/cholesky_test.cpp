@@ -147,9 +147,10 @@ TEST_CASE("systems in blocks: any pattern inside them, supernodes in whole block
       }
     }
   }
-  const SparseMatrix large = matrixOn(2304, gridEdges(48), noise, 9);  // past where cuts in space begin
-  Points coordinates(2304, 3);
-  for (Index i = 0; i < 2304; ++i) coordinates.row(i) << i / 48, i % 48, 0;
+  const Index side = 53, n = side * side;  // large enough to be cut in space
+  const SparseMatrix large = matrixOn(n, gridEdges(side), noise, 9);
+  Points coordinates(n, 3);
+  for (Index i = 0; i < n; ++i) coordinates.row(i) << i / side, i % side, 0;
   checkSolves(large, noise, {&coordinates, 9});
 }
 
@@ -238,4 +239,27 @@ TEST_CASE("semidefinite matrices and numbers that are not finite are a status") 
   SparseMatrix A = good;
   A.coeffRef(7, 7) = std::numeric_limits<double>::quiet_NaN();
   CHECK(!cholesky.factorize(A).ok());
+}
+
+TEST_CASE("a random symmetric matrix is refused if and only if it is not definite") {
+  Noise noise;
+  int refused = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    const Index blockSize = 1 + trial % 3, n = 2 + trial % 12;
+    SparseMatrix A = matrixOn(n, randomEdges(n, 2 * n, noise), noise, blockSize);
+    for (Index i = 0; i < A.rows(); ++i) A.coeffRef(i, i) *= 0.85 + 0.3 * noise();
+    const double smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(A)).eigenvalues()[0];
+    if (std::abs(smallest) < 1e-9) continue;
+    SparseCholesky cholesky;
+    cholesky.analyze(A, {nullptr, blockSize});
+    const Status status = cholesky.factorize(A);
+    CHECK(status.ok() == (smallest > 0));
+    refused += !status.ok();
+    if (!status.ok()) continue;
+    Points X = randomPoints(static_cast<Index>(A.rows()), noise);
+    cholesky.solve(X);
+    CHECK(X.allFinite());
+  }
+  CHECK(refused > 20);
+  CHECK(refused < 100);
 }

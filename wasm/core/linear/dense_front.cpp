@@ -114,7 +114,8 @@ void invertPanel(const double* factor, double* inverse, double* scratch, Index r
     const Index first = std::max<Index>(0, end - kBlock), width = end - first, later = columns - end;
     double* block = inverse + static_cast<std::ptrdiff_t>(first) * rows;
     for (Index l = 0; l < later; ++l) {
-      for (Index j = 0; j < width; ++j) scratch[j + l * width] = factor[end + l + static_cast<std::ptrdiff_t>(first + j) * rows];
+      const double* row = factor + end + l + static_cast<std::ptrdiff_t>(first) * rows;
+      for (Index j = 0; j < width; ++j) scratch[j + l * width] = row[static_cast<std::ptrdiff_t>(j) * rows];
     }
     const double* solved = inverse + static_cast<std::ptrdiff_t>(end) * rows;
     // Rows above the block's own are zero in every column that is solved already.

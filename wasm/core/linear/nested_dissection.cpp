@@ -23,8 +23,10 @@ constexpr Index kSettled = -1;
 
 // Axes and diagonals of a cube. Of equally good ones the first wins.
 constexpr int kDirectionCount = 13;
-constexpr double kDirections[kDirectionCount][3] = {{1, 0, 0},  {0, 1, 0}, {0, 0, 1},  {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1},
-                                                    {0, 1, 1}, {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+constexpr double kDirections[kDirectionCount][3] = {
+    {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1},
+    {0, 1, 1}, {0, 1, -1}, {1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1},
+};
 
 /// How far along a direction a node is; equal ones are told apart by their numbers, so every cut has nodes on both sides.
 using Key = std::pair<double, Index>;
