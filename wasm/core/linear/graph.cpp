@@ -1,5 +1,6 @@
 #include "linear/graph.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace whittle {

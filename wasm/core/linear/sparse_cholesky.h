@@ -25,8 +25,8 @@ class SparseCholesky {
 
   /// Computes L for a matrix of the analyzed pattern. Fails with `numericalFailure` if A is not positive definite
   /// or singular to working precision.
-  /// @param keepWorkspace keep the working memory, several times that of L, for the next factorization, which then
-  ///   allocates nothing; for callers that factorize often. Without it the memory is free as soon as L is there.
+  /// @param keepWorkspace keep the working memory for the next factorization, which then allocates nothing; for callers
+  ///   that factorize often. Without it that memory is free as soon as L is there.
   Status factorize(const SparseMatrix& A, bool keepWorkspace = false);
 
   /// Overwrites three right-hand sides (#unknowns×3) with the solutions, in one pass over L. Allocates nothing.
