@@ -19,11 +19,22 @@ const acceleration: ChoiceParameter = {
   choices: ['nesterov', 'relaxed', 'none'],
 };
 
+const stopOn: ChoiceParameter = {
+  name: 'stopOn',
+  kind: 'choice',
+  label: 'Stop on',
+  doc: 'What the tolerance is held against: the longest move as a share of the way so far (2019, §3.1), or the energy’s relative decrease.',
+  invalidates: 'targets',
+  advanced: true,
+  default: 'displacement',
+  choices: ['displacement', 'energy'],
+};
+
 const tolerance: NumberParameter = {
   name: 'tolerance',
   kind: 'number',
   label: 'Tolerance',
-  doc: 'Stop when no vertex moved further in one iteration than this share of its way so far (2019, §3.1).',
+  doc: 'Stop when an iteration changes less than this share of what “stop on” names.',
   invalidates: 'targets',
   advanced: true,
   default: 3e-3,
@@ -50,7 +61,7 @@ export const arap: MethodDescriptor = {
   title: 'As rigid as possible',
   summary: 'Move handles and let the rest follow with as little stretching as possible.',
   paper: 'Sorkine and Alexa 2007, spokes and rims of Chao et al. 2010',
-  parameters: [handles, acceleration, tolerance, maxIterations],
+  parameters: [handles, acceleration, stopOn, tolerance, maxIterations],
 };
 
 export const cubic: MethodDescriptor = {
@@ -83,6 +94,7 @@ export const cubic: MethodDescriptor = {
     },
     handles,
     acceleration,
+    stopOn,
     tolerance,
     maxIterations,
   ],

@@ -18,15 +18,14 @@ constexpr double kRounding = 1e-8;
 
 const std::vector<Lanes> kNoGrowths;
 
-enum SharedParameter { kHandles, kAcceleration, kTolerance, kMaxIterations };
-
-double longestMove(const Points& from, const Points& to) { return std::sqrt((to - from).rowwise().squaredNorm().maxCoeff()); }
+enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance, kMaxIterations };
 
 }  // namespace
 
 std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own) {
   own.push_back({"handles", ParameterKind::handles, Stale::system});
   own.push_back(Acceleration::parameter());
+  own.push_back(StoppingRule::parameter());
   own.push_back({"tolerance", ParameterKind::number, Stale::targets, 3e-3, 0, 1});
   own.push_back({"maxIterations", ParameterKind::integer, Stale::targets, 1000, 0, 1e6});
   return own;
@@ -36,6 +35,7 @@ Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, 
   if (stale == Stale::nothing) return {};
   const double* shared = settings.numbers.data() + ownParameters_;
   accelerationKind_ = static_cast<Acceleration::Kind>(shared[kAcceleration]);
+  stopping_.quantity = static_cast<StoppingRule::Quantity>(shared[kStopOn]);
   stopping_.tolerance = shared[kTolerance];
   stopping_.maxIterations = static_cast<int>(shared[kMaxIterations]);
   handles_.targets = settings.handles.targets;
@@ -74,7 +74,7 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held);
+  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held, {&mesh.positions});
 }
 
 void LocalGlobal::begin(Points& positions) {
@@ -93,7 +93,6 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   }
   guess_.swap(rotations_);
   const bool extrapolated = acceleration_.extrapolate(positions, previous_);
-  previous_ = positions;
   if (localStep_->followsOutput()) energy_ = std::numeric_limits<double>::infinity();
   report.energy = localStep(acceleration_.start(), false);
   if (extrapolated && !(report.energy <= energy_)) {
@@ -103,6 +102,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   // Not from an exact local step, but ADMM stops within its tolerance and, for strong pulls, at local maxima.
   if (report.energy > energy_ + kRounding * std::abs(energy_)) report.energy = localStep(positions, true);
   energy_ = report.energy;
+  previous_.swap(positions);
   globalStep(acceleration_.start(), positions);
   report.change = relativeDisplacement(positions);
   if (!std::isfinite(report.energy) || !std::isfinite(report.change)) {
@@ -135,9 +135,15 @@ void LocalGlobal::globalStep(const Points& from, Points& positions) {
 }
 
 double LocalGlobal::relativeDisplacement(const Points& positions) const {
-  const double move = std::max(longestMove(acceleration_.start(), positions), longestMove(previous_, positions));
-  const double way = longestMove(rest_->mesh.positions, positions);
-  return move <= kNoMove ? 0 : move / way;
+  const Points &start = acceleration_.start(), &rest = rest_->mesh.positions;
+  double move = 0, way = 0;  // squared
+  for (Index v = 0; v < positions.rows(); ++v) {
+    const auto x = positions.row(v);
+    move = std::max({move, (x - start.row(v)).squaredNorm(), (x - previous_.row(v)).squaredNorm()});
+    way = std::max(way, (x - rest.row(v)).squaredNorm());
+  }
+  if (!positions.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  return move <= kNoMove * kNoMove ? 0 : std::sqrt(move / way);
 }
 
 }  // namespace whittle
