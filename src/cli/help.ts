@@ -54,6 +54,15 @@ function valueHelp(parameter: ParameterDescriptor): { value: string; range: stri
     }
     case 'choice':
       return { value: 'NAME', range: `${parameter.choices.join(' | ')}, default ${parameter.default}` };
+    case 'flag':
+      return { value: '', range: `true or false, default ${parameter.default}` };
+    case 'scalars':
+      return {
+        value: 'FILE.json',
+        range: `[number, …] from ${parameter.min} to ${parameter.max}, default none`,
+      };
+    case 'style':
+      return { value: 'NAME|FILE', range: `default ${parameter.default}` };
     case 'handles':
       return { value: 'FILE.json', range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none' };
   }

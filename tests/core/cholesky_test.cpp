@@ -2,78 +2,36 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <limits>
 #include <set>
 
 #include "linear/dense_front.h"
 #include "linear/sparse_cholesky.h"
 #include "support/allocations.h"
-#include "support/shapes.h"
+#include "support/systems.h"
 
 using namespace whittle;
-using testing::Noise;
+using namespace whittle::testing;
 
 namespace {
 
-using Edges = std::vector<std::pair<Index, Index>>;
+using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index>;
 
-/// A diagonally dominant matrix with random entries on the given edges.
-SparseMatrix matrixOn(Index n, const Edges& edges, Noise& noise) {
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
-  for (const auto& [i, j] : edges) A(i, j) = A(j, i) = noise();
-  A.diagonal().array() = A.cwiseAbs().rowwise().sum().array() + 0.1;
-  return A.sparseView();
+SparseMatrix renumbered(const SparseMatrix& A, const Permutation& newOf) {
+  SparseMatrix result;
+  result = A.twistedBy(newOf);
+  return result;
 }
 
-Edges path(Index n) {
-  Edges edges;
-  for (Index i = 1; i < n; ++i) edges.emplace_back(i - 1, i);
-  return edges;
-}
-
-Edges star(Index n) {
-  Edges edges;
-  for (Index i = 1; i < n; ++i) edges.emplace_back(0, i);
-  return edges;
-}
-
-Edges complete(Index n) {
-  Edges edges;
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = 0; j < i; ++j) edges.emplace_back(i, j);
-  }
-  return edges;
-}
-
-Edges gridEdges(Index side) {
-  Edges edges;
-  for (Index r = 0; r < side; ++r) {
-    for (Index c = 0; c < side; ++c) {
-      if (c + 1 < side) edges.emplace_back(r * side + c, r * side + c + 1);
-      if (r + 1 < side) edges.emplace_back(r * side + c, (r + 1) * side + c);
-    }
-  }
-  return edges;
-}
-
-/// Several islands, some of a single unknown, numbered criss-cross.
-Edges islands(Index n) {
-  Edges edges;
-  for (Index i = 7; i < n; ++i) {
-    if (i % 5 != 0) edges.emplace_back(i - 7, i);
-  }
-  return edges;
-}
-
-void checkSolves(const SparseMatrix& A, Noise& noise) {
-  Points X(A.rows(), 3);
-  for (Index i = 0; i < X.rows(); ++i) X.row(i) << noise(), noise(), noise();
+void checkSolves(const SparseMatrix& A, Noise& noise, const Ordering& ordering = {}) {
+  const Points X = randomPoints(static_cast<Index>(A.rows()), noise);
   SparseCholesky cholesky;
-  cholesky.analyze(A);
+  cholesky.analyze(A, ordering);
   REQUIRE(cholesky.factorize(A).ok());
   Points solution = A * X;
-  const long before = testing::allocationCount();
+  const long before = allocationCount();
   cholesky.solve(solution);
-  CHECK(testing::allocationCount() == before);
+  CHECK(allocationCount() == before);
   CHECK((solution - X).norm() < 1e-5 * X.norm());
   Points correction = A * (X - solution);  // one refinement takes the single precision away
   cholesky.solve(correction);
@@ -92,13 +50,8 @@ TEST_CASE("systems of every shape are solved: paths, stars, full, grids, islands
   for (const Index side : {4, 13, 30}) checkSolves(matrixOn(side * side, gridEdges(side), noise), noise);
   for (int trial = 0; trial < 60; ++trial) {
     const Index n = 20 + trial;
-    Edges edges;
-    for (Index e = 0; e < n * (1 + trial % 4); ++e) {
-      const auto pick = [&] { return static_cast<Index>((noise() + 1) / 2 * n) % n; };
-      const Index i = pick(), j = pick();
-      if (i != j) edges.emplace_back(i, j);
-    }
-    checkSolves(matrixOn(n, edges, noise), noise);
+    checkSolves(matrixOn(n, randomEdges(n, n * (1 + trial % 4), noise), noise), noise);
+    checkSolves(matrixOn(n, randomTree(n, noise), noise), noise);
   }
 }
 
@@ -176,4 +129,137 @@ TEST_CASE("a pivot that is not positive is noticed wherever it is") {
     CHECK(cholesky.factorize(A).code == Code::numericalFailure);
   }
   CHECK(cholesky.factorize(good).ok());  // and the next matrix is none the worse for it
+}
+
+TEST_CASE("systems in blocks: any pattern inside them, supernodes in whole blocks, cut in space or not") {
+  Noise noise;
+  for (const Index blockSize : {2, 3, 9}) {
+    for (const Index side : {1, 2, 6, 13}) {
+      const Index n = side * side;
+      const SparseMatrix A = matrixOn(n, gridEdges(side), noise, blockSize);
+      Points coordinates(n, 3);
+      for (Index i = 0; i < n; ++i) coordinates.row(i) << i / side, i % side, 0;
+      for (const Points* given : {static_cast<const Points*>(nullptr), static_cast<const Points*>(&coordinates)}) {
+        const Ordering ordering{given, blockSize};
+        const Supernodes supernodes = analyzeSupernodes(A, ordering);
+        for (const Index start : supernodes.columnStart) CHECK(start % blockSize == 0);
+        checkSolves(A, noise, ordering);
+      }
+    }
+  }
+  const Index side = 53, n = side * side;  // large enough to be cut in space
+  const SparseMatrix large = matrixOn(n, gridEdges(side), noise, 9);
+  Points coordinates(n, 3);
+  for (Index i = 0; i < n; ++i) coordinates.row(i) << i / side, i % side, 0;
+  checkSolves(large, noise, {&coordinates, 9});
+}
+
+TEST_CASE("unknowns in a good order keep it") {
+  Noise noise;
+  const Index side = 12, n = side * side;
+  const SparseMatrix A = matrixOn(n, gridEdges(side), noise);
+  checkSolves(A, noise, {nullptr, 1, true});
+  const std::vector<Index> order = eliminationOrder(graphOf(A));
+  Permutation renumber(n);
+  for (Index i = 0; i < n; ++i) renumber.indices()[order[i]] = i;
+  const SparseMatrix ordered = renumbered(A, renumber);
+  const Supernodes supernodes = analyzeSupernodes(ordered, {nullptr, 1, true});
+  CHECK(std::is_sorted(supernodes.newOf.begin(), supernodes.newOf.end()));
+  CHECK(supernodes.rows.size() == analyzeSupernodes(A).rows.size());
+  checkSolves(ordered, noise, {nullptr, 1, true});
+}
+
+TEST_CASE("renumbering the unknowns renumbers the solution") {
+  Noise noise;
+  const Index n = 90;
+  const SparseMatrix A = matrixOn(n, randomEdges(n, 250, noise), noise);
+  Permutation renumber(n);
+  renumber.setIdentity();
+  for (Index i = n - 1; i > 0; --i) std::swap(renumber.indices()[i], renumber.indices()[pick(i + 1, noise)]);
+  const Points B = randomPoints(n, noise);
+  const auto solve = [](const SparseMatrix& system, Points rhs) {
+    SparseCholesky cholesky;
+    cholesky.analyze(system);
+    REQUIRE(cholesky.factorize(system).ok());
+    cholesky.solve(rhs);
+    return rhs;
+  };
+  const Points X = solve(A, B);
+  CHECK((solve(renumbered(A, renumber), renumber * B) - renumber * X).norm() < 1e-5 * X.norm());
+}
+
+TEST_CASE("a factorization over an older one has the bits of a fresh one") {
+  Noise noise;
+  const SparseMatrix A = matrixOn(169, gridEdges(13), noise);
+  SparseMatrix other = A * 2.5;
+  for (Index i = 0; i < 169; ++i) other.coeffRef(i, i) += 1 + noise();
+  const Points B = randomPoints(169, noise);
+  SparseCholesky fresh, used;
+  fresh.analyze(A), used.analyze(A);
+  REQUIRE(used.factorize(other).ok());
+  SparseMatrix indefinite = A;
+  indefinite.coeffRef(80, 80) = -1;
+  CHECK(!used.factorize(indefinite).ok());
+  REQUIRE(used.factorize(other, true).ok());
+  const long before = allocationCount();
+  REQUIRE(used.factorize(A, true).ok());
+  CHECK(allocationCount() == before);
+  REQUIRE(fresh.factorize(A).ok());
+  Points X = B, Y = B;
+  fresh.solve(X), used.solve(Y);
+  CHECK(X == Y);
+}
+
+TEST_CASE("semidefinite matrices and numbers that are not finite are a status") {
+  Noise noise;
+  for (const Edges& edges : {path(40), star(40), complete(40), gridEdges(6), randomTree(40, noise)}) {
+    SparseMatrix A(40, 40);  // a graph Laplacian: constants are free, also on every island
+    for (const auto& [i, j] : edges) {
+      const double weight = 1 + pick(4, noise);  // whole, so that rows sum to zero exactly
+      A.coeffRef(i, i) += weight, A.coeffRef(j, j) += weight;
+      A.coeffRef(i, j) -= weight, A.coeffRef(j, i) -= weight;
+    }
+    A.makeCompressed();
+    SparseCholesky cholesky;
+    cholesky.analyze(A);
+    CHECK(cholesky.factorize(A).code == Code::numericalFailure);
+  }
+  const SparseMatrix good = matrixOn(81, gridEdges(9), noise);
+  SparseCholesky cholesky;
+  cholesky.analyze(good);
+  for (Index entry = 0; entry < good.nonZeros(); entry += 5) {
+    for (const double value : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), -1e300}) {
+      SparseMatrix A = good;
+      A.valuePtr()[entry] = value;
+      const Status status = cholesky.factorize(A);
+      if (status.ok()) continue;  // the upper triangle is not read
+      CHECK(status.code == Code::numericalFailure);
+    }
+  }
+  SparseMatrix A = good;
+  A.coeffRef(7, 7) = std::numeric_limits<double>::quiet_NaN();
+  CHECK(!cholesky.factorize(A).ok());
+}
+
+TEST_CASE("a random symmetric matrix is refused if and only if it is not definite") {
+  Noise noise;
+  int refused = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    const Index blockSize = 1 + trial % 3, n = 2 + trial % 12;
+    SparseMatrix A = matrixOn(n, randomEdges(n, 2 * n, noise), noise, blockSize);
+    for (Index i = 0; i < A.rows(); ++i) A.coeffRef(i, i) *= 0.85 + 0.3 * noise();
+    const double smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(A)).eigenvalues()[0];
+    if (std::abs(smallest) < 1e-9) continue;
+    SparseCholesky cholesky;
+    cholesky.analyze(A, {nullptr, blockSize});
+    const Status status = cholesky.factorize(A);
+    CHECK(status.ok() == (smallest > 0));
+    refused += !status.ok();
+    if (!status.ok()) continue;
+    Points X = randomPoints(static_cast<Index>(A.rows()), noise);
+    cholesky.solve(X);
+    CHECK(X.allFinite());
+  }
+  CHECK(refused > 20);
+  CHECK(refused < 100);
 }

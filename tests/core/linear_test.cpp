@@ -78,7 +78,8 @@ TEST_CASE("held rows stay and the rest minimises the quadratic") {
   const Points B = randomPoints(n, noise);
   for (const std::vector<Index>& held : {std::vector<Index>{}, {4}, {0, 29, 4, 4}}) {
     ConstrainedQuadratic quadratic;
-    REQUIRE(quadratic.prepare(A, held).ok());
+    const Points coordinates = randomPoints(n, noise);
+    REQUIRE(quadratic.prepare(A, held, {held.empty() ? nullptr : &coordinates, 1, held.size() == 1}).ok());
     const Points start = randomPoints(n, noise);
     Points X = start;
     for (int repetition = 0; repetition < 4; ++repetition) {  // each takes six digits off the error

@@ -1,5 +1,6 @@
 import type {
   ChoiceParameter,
+  FlagParameter,
   MethodDescriptor,
   NumberParameter,
   ParameterDescriptor,
@@ -10,10 +11,11 @@ import type { Shaping, WhittleDocument } from './document.ts';
 import { startingLambda } from './starting-lambda.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
-export type EditableParameter = NumberParameter | ChoiceParameter;
+export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
 
-export function isEditable(parameter: ParameterDescriptor): parameter is EditableParameter {
-  return ['number', 'integer', 'choice'].includes(parameter.kind);
+function isEditable(parameter: ParameterDescriptor): parameter is EditableParameter {
+  if (parameter.kind === 'choice') return !parameter.isForLibrary;
+  return ['number', 'integer', 'flag'].includes(parameter.kind);
 }
 
 /** Parameters that the panel can set. */
@@ -28,7 +30,7 @@ export function offeredMethods(all: readonly MethodDescriptor[] = methods): read
 
 /** Methods that borrow from a style: the gallery's. */
 export function takesStyle(method: MethodDescriptor | undefined): boolean {
-  return method?.parameters.some(({ name }) => name === 'style') ?? false;
+  return method?.parameters.some(({ kind }) => kind === 'style') ?? false;
 }
 
 /** What a method opens with on a mesh: its defaults, but for what depends on the mesh and the style. */
@@ -36,7 +38,7 @@ export function startingParameters(
   method: MethodDescriptor,
   { report }: Pick<WhittleDocument, 'report' | 'style'>,
 ): ParameterValues {
-  const values: Record<string, number | string> = {};
+  const values: Record<string, number | string | boolean> = {};
   for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
   if (typeof values.lambda === 'number') values.lambda = startingLambda(report.vertices);
   return values;

@@ -1,9 +1,14 @@
 import { html, nothing } from 'lit';
-import type { MethodDescriptor, ParameterDescriptor } from '../../src/methods/descriptor.ts';
+import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { WhittleDocument } from '../document/document.ts';
 import { exportName, formats, ownFormat } from '../document/formats.ts';
-import { editableParameters, offeredMethods, takesStyle } from '../document/offered-methods.ts';
+import {
+  type EditableParameter,
+  editableParameters,
+  offeredMethods,
+  takesStyle,
+} from '../document/offered-methods.ts';
 import { icon } from './icons.ts';
 import { measures } from './measures.ts';
 import { PageElement } from './page-element.ts';
@@ -46,7 +51,7 @@ export class WhittlePanel extends PageElement {
         <legend class="hidden">What to do</legend>
         ${offered.map(
           ({ id, title }) => html`
-            <label><input type="radio" name="method" .value=${id} .checked=${id === method.id} @change=${this.#choose} /><span>${title}</span></label>`,
+            <label><input type="radio" name="method" .value=${id} .checked=${id === method.id} @change=${this.#choose} /><span class="switch-face">${title}</span></label>`,
         )}
       </fieldset>`;
   }
@@ -63,7 +68,7 @@ export class WhittlePanel extends PageElement {
     const editable = editableParameters(method);
     const plain = editable.filter(({ advanced }) => !advanced);
     const advanced = editable.filter((parameter) => parameter.advanced);
-    const control = (parameter: ParameterDescriptor) =>
+    const control = (parameter: EditableParameter) =>
       html`<whittle-parameter .parameter=${parameter} .value=${document.parameters[parameter.name]}></whittle-parameter>`;
     return html`
       ${plain.map(control)}

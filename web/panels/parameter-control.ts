@@ -1,19 +1,20 @@
 import { html, LitElement, nothing } from 'lit';
-import type { ChoiceParameter, NumberParameter, ParameterDescriptor } from '../../src/methods/descriptor.ts';
+import type { ChoiceParameter, FlagParameter, NumberParameter } from '../../src/methods/descriptor.ts';
+import type { EditableParameter } from '../document/offered-methods.ts';
 import { fromTravel, spoken, toTravel, travel } from './slider-scale.ts';
 
 /** Where a gesture is. `preview` comes any number of times, then one `commit`. */
 export interface ParameterChange {
   readonly name: string;
-  readonly value: number | string;
+  readonly value: number | string | boolean;
   readonly phase: 'preview' | 'commit';
 }
 
 /** The control that a parameter's descriptor asks for. Fires `parameter` with a {@link ParameterChange}. */
 export class WhittleParameter extends LitElement {
   static override properties = { parameter: { attribute: false }, value: { attribute: false } };
-  declare parameter: ParameterDescriptor;
-  declare value: number | string;
+  declare parameter: EditableParameter;
+  declare value: number | string | boolean;
   /** A key is down: what it repeats is one gesture until it is let go. */
   #keyDown = false;
   #pending: number | null = null;
@@ -24,7 +25,8 @@ export class WhittleParameter extends LitElement {
 
   protected override render() {
     const { parameter } = this;
-    if (!parameter || parameter.kind === 'handles') return nothing;
+    if (!parameter) return nothing;
+    if (parameter.kind === 'flag') return this.#flag(parameter);
     if (parameter.kind === 'choice') return this.#choice(parameter);
     return parameter.slider ? this.#slider(parameter) : this.#field(parameter);
   }
@@ -74,6 +76,14 @@ export class WhittleParameter extends LitElement {
     `;
   }
 
+  #flag(parameter: FlagParameter) {
+    return html`
+      <label class="field" title=${parameter.doc}><span>${parameter.label}</span>
+        <input type="checkbox" .checked=${this.value === true} @change=${(event: Event) => this.#fire((event.target as HTMLInputElement).checked, 'commit')} />
+      </label>
+    `;
+  }
+
   readonly #slid = (event: Event): void => this.#fire(this.#read(event), 'preview');
 
   readonly #let = (event: Event): void => {
@@ -113,7 +123,7 @@ export class WhittleParameter extends LitElement {
     return fromTravel(this.parameter as NumberParameter, (event.target as HTMLInputElement).valueAsNumber);
   }
 
-  #fire(value: number | string, phase: ParameterChange['phase']): void {
+  #fire(value: number | string | boolean, phase: ParameterChange['phase']): void {
     const detail: ParameterChange = { name: this.parameter.name, value, phase };
     this.dispatchEvent(new CustomEvent('parameter', { detail, bubbles: true }));
   }

@@ -8,7 +8,7 @@ constexpr Index kHeld = -1;
 
 }  // namespace
 
-Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& held) {
+Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering) {
   std::vector<Index> freeIndex(A.rows(), 0);
   for (const Index row : held) freeIndex[row] = kHeld;
   free_.clear();
@@ -18,7 +18,6 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
     free_.push_back(row);
   }
   const Index freeCount = static_cast<Index>(free_.size());
-  correction_.resize(freeCount, 3);
   if (freeCount == 0) return {};
 
   SparseMatrix freeBlock(freeCount, freeCount);  // its lower half
@@ -34,19 +33,28 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   freeBlock.finalize();
   A = SparseMatrix();
 
-  cholesky_.analyze(freeBlock);
+  Ordering ofFree = ordering;  // free rows keep their order, so a natural one stays so
+  Points coordinates;
+  if (ordering.coordinates) {
+    coordinates.resize(freeCount, 3);
+    for (Index i = 0; i < freeCount; ++i) coordinates.row(i) = ordering.coordinates->row(free_[i]);
+    ofFree.coordinates = &coordinates;
+  }
+  cholesky_.analyze(freeBlock, ofFree);
+  coordinates.resize(0, 3);
   return cholesky_.factorize(freeBlock);
 }
 
 void ConstrainedQuadratic::correct(const std::vector<LaneRow>& residual, const Points& from, Points& X) {
   X = from;
   if (free_.empty()) return;
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    const LaneRow& row = residual[free_[i]];
-    correction_.row(i) << row.x, row.y, row.z;
+  const Index freeCount = static_cast<Index>(free_.size());
+  for (Index i = 0; i < freeCount; ++i) cholesky_.row(i) = residual[free_[i]];
+  cholesky_.solve();
+  for (Index i = 0; i < freeCount; ++i) {
+    const LaneRow& correction = cholesky_.row(i);
+    X.row(free_[i]) += Eigen::RowVector3d(correction.x, correction.y, correction.z);
   }
-  cholesky_.solve(correction_);
-  for (std::size_t i = 0; i < free_.size(); ++i) X.row(free_[i]) += correction_.row(i);
 }
 
 }  // namespace whittle

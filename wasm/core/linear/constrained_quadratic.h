@@ -14,7 +14,8 @@ class ConstrainedQuadratic {
  public:
   /// Factors the free block of A (#n×#n, symmetric, positive definite on the free rows). `held` may hold an index twice.
   /// A is taken over and let go before the factorization, whose memory is the peak. Fails with `numericalFailure`.
-  Status prepare(SparseMatrix A, const std::vector<Index>& held);
+  /// @param ordering of all rows of A, held ones too, in blocks of 1; coordinates are #n×3
+  Status prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering = {});
 
   /// Moves the free rows of `from` by the solution of A ΔX = residual, residual = B − A X there. Allocates nothing.
   void correct(const std::vector<LaneRow>& residual, const Points& from, Points& X);
@@ -22,7 +23,6 @@ class ConstrainedQuadratic {
  private:
   std::vector<Index> free_;  // rows of X that are solved for
   SparseCholesky cholesky_;
-  Points correction_;        // #free×3
 };
 
 }  // namespace whittle

@@ -56,18 +56,29 @@ void subtractEdge(double* C, Index ldC, const double* A, Index ldA, const double
   }
 }
 
+/// y −= X f for `count` contiguous columns of X, four at a time so that y is not written after each.
+void subtractColumns(double* __restrict y, const double* __restrict X, Index ld, const double* f, Index stride, Index count,
+                     Index rows) {
+  Index l = 0;
+  for (; l + 3 < count; l += 4, X += 4 * static_cast<std::ptrdiff_t>(ld), f += 4 * static_cast<std::ptrdiff_t>(stride)) {
+    const double f0 = f[0], f1 = f[stride], f2 = f[2 * stride], f3 = f[3 * stride];
+    const double *x0 = X, *x1 = X + ld, *x2 = X + 2 * ld, *x3 = X + 3 * ld;
+    for (Index i = 0; i < rows; ++i) y[i] -= (f0 * x0[i] + f1 * x1[i]) + (f2 * x2[i] + f3 * x3[i]);
+  }
+  for (; l < count; ++l, X += ld, f += stride) {
+    const double factor = *f;
+    for (Index i = 0; i < rows; ++i) y[i] -= factor * X[i];
+  }
+}
+
 /// Unblocked Cholesky of `columns` columns over all `rows`, column by column along contiguous rows.
 bool factorBlock(double* panel, Index ld, Index rows, Index columns) {
   for (Index j = 0; j < columns; ++j) {
-    double* column = panel + j * ld;
-    for (Index l = 0; l < j; ++l) {
-      const double* earlier = panel + l * ld;
-      const double factor = earlier[j];
-      for (Index i = j; i < rows; ++i) column[i] -= factor * earlier[i];
-    }
-    if (!(column[j] > 0) || !std::isfinite(column[j])) return false;
-    const double inverse = 1 / std::sqrt(column[j]);
-    for (Index i = j; i < rows; ++i) column[i] *= inverse;
+    double* pivot = panel + j + static_cast<std::ptrdiff_t>(j) * ld;
+    subtractColumns(pivot, panel + j, ld, panel + j, ld, j, rows - j);
+    if (!(*pivot > 0) || !std::isfinite(*pivot)) return false;
+    const double inverse = 1 / std::sqrt(*pivot);
+    for (Index i = 0; i < rows - j; ++i) pivot[i] *= inverse;
   }
   return true;
 }
@@ -103,7 +114,8 @@ void invertPanel(const double* factor, double* inverse, double* scratch, Index r
     const Index first = std::max<Index>(0, end - kBlock), width = end - first, later = columns - end;
     double* block = inverse + static_cast<std::ptrdiff_t>(first) * rows;
     for (Index l = 0; l < later; ++l) {
-      for (Index j = 0; j < width; ++j) scratch[j + l * width] = factor[end + l + static_cast<std::ptrdiff_t>(first + j) * rows];
+      const double* row = factor + end + l + static_cast<std::ptrdiff_t>(first) * rows;
+      for (Index j = 0; j < width; ++j) scratch[j + l * width] = row[static_cast<std::ptrdiff_t>(j) * rows];
     }
     const double* solved = inverse + static_cast<std::ptrdiff_t>(end) * rows;
     // Rows above the block's own are zero in every column that is solved already.
@@ -111,10 +123,8 @@ void invertPanel(const double* factor, double* inverse, double* scratch, Index r
     for (Index j = width - 1; j >= 0; --j) {
       double* column = block + static_cast<std::ptrdiff_t>(j) * rows;
       const double* L = factor + static_cast<std::ptrdiff_t>(first + j) * rows + first;
-      for (Index l = j + 1; l < width; ++l) {
-        const double* right = block + static_cast<std::ptrdiff_t>(l) * rows;
-        for (Index i = first + l; i < rows; ++i) column[i] -= L[l] * right[i];
-      }
+      const Index below = first + j + 1;  // where the columns to the right begin
+      subtractColumns(column + below, column + rows + below, rows, L + j + 1, 1, width - j - 1, rows - below);
       const double inversePivot = 1 / L[j];
       for (Index i = first + j; i < rows; ++i) column[i] *= inversePivot;
     }

@@ -11,15 +11,14 @@ constexpr Index kNone = -1;
 
 }  // namespace
 
-UpperPattern upperPattern(const SparseMatrix& A, const std::vector<Index>& newOf) {
+UpperPattern upperPattern(const Graph& graph, const std::vector<Index>& newOf) {
   UpperPattern pattern;
-  pattern.start.assign(A.cols() + 1, 0);
+  pattern.start.assign(graph.size() + 1, 0);
   const auto forEachEntry = [&](auto&& visit) {
-    for (Index column = 0; column < A.cols(); ++column) {
-      for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
-        if (entry.row() <= column) continue;
-        const auto [row, later] = std::minmax(newOf[entry.row()], newOf[column]);
-        visit(row, later);
+    for (Index node = 0; node < graph.size(); ++node) {
+      for (Index p = graph.start[node]; p < graph.start[node + 1]; ++p) {
+        const Index row = newOf[graph.neighbours[p]], column = newOf[node];
+        if (row < column) visit(row, column);
       }
     }
   };

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/sparse_matrix.h"
+#include "linear/graph.h"
 
 namespace whittle {
 
@@ -14,8 +14,8 @@ struct UpperPattern {
   Index size() const { return static_cast<Index>(start.size()) - 1; }
 };
 
-/// @param newOf new number of each unknown of A; of A only the lower triangle is read
-UpperPattern upperPattern(const SparseMatrix& A, const std::vector<Index>& newOf);
+/// @param newOf new number of each node
+UpperPattern upperPattern(const Graph& graph, const std::vector<Index>& newOf);
 
 /// Parent of each column in the elimination tree (the first row below the diagonal of that column of L), −1 for roots.
 std::vector<Index> eliminationTree(const UpperPattern& pattern);

@@ -7,8 +7,13 @@
 
 namespace whittle {
 
-Multifrontal::Multifrontal(const Supernodes& supernodes, std::size_t peakUpdates)
-    : supernodes_(supernodes), stack_(peakUpdates), placeOf_(supernodes.newOf.size()) {
+void Multifrontal::begin(const Supernodes& supernodes, std::size_t peakUpdates) {
+  supernodes_ = &supernodes;
+  stack_.resize(peakUpdates);
+  top_ = 0;
+  waiting_.clear();
+  waiting_.reserve(supernodes.count());
+  placeOf_.resize(supernodes.newOf.size());
   std::size_t largestFront = 0, widest = 0;
   for (Index s = 0; s < supernodes.count(); ++s) {
     const std::size_t columns = supernodes.columns(s);
@@ -21,21 +26,21 @@ Multifrontal::Multifrontal(const Supernodes& supernodes, std::size_t peakUpdates
 }
 
 double* Multifrontal::open(Index s) {
-  std::fill_n(front_.begin(), static_cast<std::size_t>(supernodes_.columns(s)) * supernodes_.height(s), 0.0);
+  std::fill_n(front_.begin(), static_cast<std::size_t>(supernodes_->columns(s)) * supernodes_->height(s), 0.0);
   return front_.data();
 }
 
 bool Multifrontal::eliminate(Index s) {
-  const Index columns = supernodes_.columns(s), height = supernodes_.height(s);
+  const Index columns = supernodes_->columns(s), height = supernodes_->height(s);
   const std::size_t size = updateSize(s);
-  const Index* rows = supernodes_.rowsOf(s);
+  const Index* rows = supernodes_->rowsOf(s);
   for (Index r = 0; r < height; ++r) placeOf_[rows[r]] = r;
 
   // The new update lies above the children's, which are on top of the stack, until they are taken in.
   double* update = stack_.data() + top_;
   std::fill_n(update, size * size, 0.0);
   std::size_t bottom = top_;
-  while (!waiting_.empty() && supernodes_.parent[waiting_.back()] == s) {
+  while (!waiting_.empty() && supernodes_->parent[waiting_.back()] == s) {
     const Index child = waiting_.back();
     bottom -= static_cast<std::size_t>(updateSize(child)) * updateSize(child);
     takeUpdate(child, stack_.data() + bottom, s, update);
@@ -53,8 +58,8 @@ bool Multifrontal::eliminate(Index s) {
 }
 
 void Multifrontal::takeUpdate(Index child, const double* update, Index parent, double* parentUpdate) {
-  const Index columns = supernodes_.columns(parent), height = supernodes_.height(parent), size = updateSize(child);
-  const Index* rows = supernodes_.rowsOf(child) + supernodes_.columns(child);
+  const Index columns = supernodes_->columns(parent), height = supernodes_->height(parent), size = updateSize(child);
+  const Index* rows = supernodes_->rowsOf(child) + supernodes_->columns(child);
   for (Index j = 0; j < size; ++j) {
     const std::ptrdiff_t column = placeOf_[rows[j]];
     const double* source = update + static_cast<std::ptrdiff_t>(j) * size;
@@ -66,7 +71,7 @@ void Multifrontal::takeUpdate(Index child, const double* update, Index parent, d
 }
 
 const double* Multifrontal::inverted(Index s) {
-  invertPanel(front_.data(), inverse_.data(), scratch_.data(), supernodes_.height(s), supernodes_.columns(s));
+  invertPanel(front_.data(), inverse_.data(), scratch_.data(), supernodes_->height(s), supernodes_->columns(s));
   return inverse_.data();
 }
 

@@ -9,8 +9,10 @@ namespace whittle {
 /// The working memory of a multifrontal factorization: one front at a time and the updates that wait for their parents.
 class Multifrontal {
  public:
+  /// Starts a factorization. Allocates only what the one before did not need.
+  /// @param supernodes to be kept by the caller until the factorization ends
   /// @param peakUpdates largest stack of update matrices, in numbers
-  Multifrontal(const Supernodes& supernodes, std::size_t peakUpdates);
+  void begin(const Supernodes& supernodes, std::size_t peakUpdates);
 
   /// Starts supernode s: an empty front.
   double* open(Index s);
@@ -24,9 +26,9 @@ class Multifrontal {
 
  private:
   void takeUpdate(Index child, const double* update, Index parent, double* parentUpdate);
-  Index updateSize(Index s) const { return supernodes_.height(s) - supernodes_.columns(s); }
+  Index updateSize(Index s) const { return supernodes_->height(s) - supernodes_->columns(s); }
 
-  const Supernodes& supernodes_;
+  const Supernodes* supernodes_ = nullptr;
   std::vector<double> front_;    // column-major panel of the current supernode
   std::vector<double> inverse_;  // the same size
   std::vector<double> scratch_;  // columns × columns

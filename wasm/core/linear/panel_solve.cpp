@@ -9,19 +9,19 @@ namespace whittle {
 namespace {
 
 /// Puts the products of a tile where they belong: rows of the supernode itself are replaced, those below gain.
-void scatterTile(Lanes x, Lanes y, Lanes z, const SolvePanel& panel, Index tile, RhsRow* rhs) {
+void scatterTile(Lanes x, Lanes y, Lanes z, const SolvePanel& panel, Index tile, LaneRow* rhs) {
   Lanes spare = splat(0);
   transpose(x, y, z, spare);
   const Lanes products[] = {x, y, z, spare};
   for (int lane = 0; lane < 4; ++lane) {
     const Index place = 4 * tile + lane;
-    RhsRow* row = rhs + panel.rows[place];
+    LaneRow* row = rhs + panel.rows[place];
     store(row, place < panel.columns ? products[lane] : load(row) + products[lane]);
   }
 }
 
 /// The lanes x, y, z of the rows of every tile.
-void gatherTiles(const SolvePanel& panel, const RhsRow* rhs, RhsRow* lanes) {
+void gatherTiles(const SolvePanel& panel, const LaneRow* rhs, LaneRow* lanes) {
   for (Index tile = 0; tile < panel.tileCount(); ++tile) {
     const Index* rows = panel.rows + 4 * tile;
     Lanes x = load(rhs + rows[0]), y = load(rhs + rows[1]), z = load(rhs + rows[2]), spare = load(rhs + rows[3]);
@@ -33,7 +33,7 @@ void gatherTiles(const SolvePanel& panel, const RhsRow* rhs, RhsRow* lanes) {
 }
 
 /// Σ over the rows of one column times the gathered rows.
-RhsRow columnProduct(const SolvePanel& panel, Index column, const RhsRow* lanes) {
+LaneRow columnProduct(const SolvePanel& panel, Index column, const LaneRow* lanes) {
   Lanes x = splat(0), y = splat(0), z = splat(0);
   for (Index tile = 0; tile < panel.tileCount(); ++tile) {
     const Lanes p = load(panel.tiles + 4 * (static_cast<std::ptrdiff_t>(tile) * panel.columns + column));
@@ -41,7 +41,7 @@ RhsRow columnProduct(const SolvePanel& panel, Index column, const RhsRow* lanes)
     y += p * load(lanes + 3 * tile + 1);
     z += p * load(lanes + 3 * tile + 2);
   }
-  RhsRow row;
+  LaneRow row;
   store(&row, horizontalSums(x, y, z, splat(0)));
   return row;
 }
@@ -59,7 +59,7 @@ void packTiles(const double* panel, Index height, Index columns, float* tiles) {
   }
 }
 
-void panelForward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch) {
+void panelForward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
   const Index columns = panel.columns, tileCount = panel.tileCount();
   std::copy_n(rhs + panel.rows[0], columns, scratch);
   const std::ptrdiff_t tileSize = 4 * static_cast<std::ptrdiff_t>(columns);
@@ -86,15 +86,15 @@ void panelForward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch) {
   }
 }
 
-void panelBackward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch) {
+void panelBackward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
   gatherTiles(panel, rhs, scratch);
   const Index columns = panel.columns, tileCount = panel.tileCount();
-  RhsRow* own = rhs + panel.rows[0];
+  LaneRow* own = rhs + panel.rows[0];
   Index j = 0;
   for (; j + 3 < columns; j += 4) {  // four columns share each gathered row
     Lanes x0 = splat(0), x1 = x0, x2 = x0, x3 = x0, y0 = x0, y1 = x0, y2 = x0, y3 = x0, z0 = x0, z1 = x0, z2 = x0, z3 = x0;
     const float* tiles = panel.tiles + 4 * j;
-    const RhsRow* lanes = scratch;
+    const LaneRow* lanes = scratch;
     for (Index tile = 0; tile < tileCount; ++tile, tiles += 4 * static_cast<std::ptrdiff_t>(columns), lanes += 3) {
       const Lanes x = load(lanes), y = load(lanes + 1), z = load(lanes + 2);
       Lanes p = load(tiles);

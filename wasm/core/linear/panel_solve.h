@@ -1,13 +1,9 @@
 #pragma once
 
+#include "base/lanes.h"
 #include "base/types.h"
 
 namespace whittle {
-
-/// One right-hand side row in single precision: xyz and a spare lane.
-struct alignas(16) RhsRow {
-  float x = 0, y = 0, z = 0, spare = 0;
-};
 
 /// A panel P = [L11⁻¹; −L21 L11⁻¹] of a supernode in single precision, stored in tiles of four rows (each tile holds its
 /// four rows of one column after the other), the last tile padded with zeros.
@@ -24,9 +20,9 @@ struct SolvePanel {
 void packTiles(const double* panel, Index height, Index columns, float* tiles);
 
 /// Forward step: own rows ← L11⁻¹ own; rows below −= L21 L11⁻¹ own. `scratch` holds `columns` rows.
-void panelForward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch);
+void panelForward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch);
 
 /// Backward step: own rows ← Pᵀ [own; below]. `scratch` holds 3×`tileCount` rows, of which nothing is kept.
-void panelBackward(const SolvePanel& panel, RhsRow* rhs, RhsRow* scratch);
+void panelBackward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch);
 
 }  // namespace whittle

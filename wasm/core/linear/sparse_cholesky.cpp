@@ -1,14 +1,28 @@
 #include "linear/sparse_cholesky.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
-
-#include "linear/multifrontal.h"
 
 namespace whittle {
 
-void SparseCholesky::analyze(const SparseMatrix& A) {
-  supernodes_ = analyzeSupernodes(A);
+namespace {
+
+/// Pivots that cancellation has eaten (rounding leaves some multiples of ε) say only that the matrix is singular to working
+/// precision; those out of range would overflow in single precision.
+bool arePivotsSound(const double* factor, Index stride, const double* diagonal, Index columns) {
+  constexpr double kNoise = 64 * std::numeric_limits<double>::epsilon();
+  for (Index j = 0; j < columns; ++j) {
+    const double pivot = factor[static_cast<std::ptrdiff_t>(j) * stride];  // its square root
+    if (!(pivot * pivot > kNoise * diagonal[j] && pivot > 1e-30 && pivot < 1e30)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering) {
+  supernodes_ = analyzeSupernodes(A, ordering);
   placeRows();
   placeEntries(A);
   measureStack();
@@ -31,6 +45,7 @@ void SparseCholesky::placeRows() {
     mostColumns = std::max(mostColumns, supernodes_.columns(s));
   }
   tiles_.resize(tileStart_.back());
+  diagonal_.resize(mostColumns);
   rhs_.assign(unknowns + 1, {});
   scratch_.assign(std::max(3 * mostTiles, mostColumns), {});
 }
@@ -75,18 +90,25 @@ void SparseCholesky::measureStack() {
   }
 }
 
-Status SparseCholesky::factorize(const SparseMatrix& A) {
-  Multifrontal work(supernodes_, peakUpdates_);
+Status SparseCholesky::factorize(const SparseMatrix& A, bool keepWorkspace) {
+  work_.begin(supernodes_, peakUpdates_);
+  const bool definite = eliminate(A);
+  if (!keepWorkspace) work_ = {};
+  if (definite) return {};
+  return Status::failure(Code::numericalFailure,
+                         "the linear system is not positive definite; the mesh may hold faces too thin to compute with");
+}
+
+bool SparseCholesky::eliminate(const SparseMatrix& A) {
   for (Index s = 0; s < supernodes_.count(); ++s) {
-    double* front = work.open(s);
+    double* front = work_.open(s);
     for (Index e = entryStart_[s]; e < entryStart_[s + 1]; ++e) front[entries_[e].place] += A.valuePtr()[entries_[e].value];
-    if (!work.eliminate(s)) {
-      return Status::failure(Code::numericalFailure,
-                             "the linear system is not positive definite; the mesh may hold faces too thin to compute with");
-    }
-    packTiles(work.inverted(s), supernodes_.height(s), supernodes_.columns(s), tiles_.data() + tileStart_[s]);
+    const Index columns = supernodes_.columns(s), stride = supernodes_.height(s) + 1;
+    for (Index j = 0; j < columns; ++j) diagonal_[j] = front[static_cast<std::ptrdiff_t>(j) * stride];
+    if (!work_.eliminate(s) || !arePivotsSound(front, stride, diagonal_.data(), columns)) return false;
+    packTiles(work_.inverted(s), supernodes_.height(s), columns, tiles_.data() + tileStart_[s]);
   }
-  return {};
+  return true;
 }
 
 SolvePanel SparseCholesky::solvePanel(Index s) const {
@@ -94,16 +116,16 @@ SolvePanel SparseCholesky::solvePanel(Index s) const {
 }
 
 void SparseCholesky::solve(Points& rhs) {
-  const auto& newOf = supernodes_.newOf;
   for (Index i = 0; i < rhs.rows(); ++i) {
-    rhs_[newOf[i]] = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
+    row(i) = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
   }
+  solve();
+  for (Index i = 0; i < rhs.rows(); ++i) rhs.row(i) << row(i).x, row(i).y, row(i).z;
+}
+
+void SparseCholesky::solve() {
   for (Index s = 0; s < supernodes_.count(); ++s) panelForward(solvePanel(s), rhs_.data(), scratch_.data());
   for (Index s = supernodes_.count() - 1; s >= 0; --s) panelBackward(solvePanel(s), rhs_.data(), scratch_.data());
-  for (Index i = 0; i < rhs.rows(); ++i) {
-    const RhsRow& x = rhs_[newOf[i]];
-    rhs.row(i) << x.x, x.y, x.z;
-  }
 }
 
 }  // namespace whittle

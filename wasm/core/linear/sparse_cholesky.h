@@ -4,6 +4,7 @@
 
 #include "base/sparse_matrix.h"
 #include "base/status.h"
+#include "linear/multifrontal.h"
 #include "linear/panel_solve.h"
 #include "linear/supernodes.h"
 
@@ -18,14 +19,23 @@ namespace whittle {
 /// for a correction of what they have, as iterations do anyway. Of A only the lower triangle is read.
 class SparseCholesky {
  public:
-  /// Orders the unknowns and finds the pattern of L. Reads only the pattern of A.
-  void analyze(const SparseMatrix& A);
+  /// Orders the unknowns and finds the pattern of L. Reads only the pattern of A, and coordinates if they are given.
+  /// Where unknowns come in blocks, their number must be a multiple of the block size; entries may be missing inside blocks.
+  void analyze(const SparseMatrix& A, const Ordering& ordering = {});
 
-  /// Computes L for a matrix of the analyzed pattern. Fails with `numericalFailure` if A is not positive definite.
-  Status factorize(const SparseMatrix& A);
+  /// Computes L for a matrix of the analyzed pattern. Fails with `numericalFailure` if A is not positive definite
+  /// or singular to working precision.
+  /// @param keepWorkspace keep the working memory for the next factorization, which then allocates nothing; for callers
+  ///   that factorize often. Without it that memory is free as soon as L is there.
+  Status factorize(const SparseMatrix& A, bool keepWorkspace = false);
 
   /// Overwrites three right-hand sides (#unknowns×3) with the solutions, in one pass over L. Allocates nothing.
   void solve(Points& rhs);
+
+  /// The same in place, for callers that keep single precision: the row of an unknown takes a right-hand side and, after `solve()`,
+  /// holds the solution.
+  LaneRow& row(Index unknown) { return rhs_[supernodes_.newOf[unknown]]; }
+  void solve();
 
  private:
   /// Where an entry of A's value array goes: its place in the column-major panel of its supernode.
@@ -37,6 +47,7 @@ class SparseCholesky {
   void placeRows();
   void placeEntries(const SparseMatrix& A);
   void measureStack();
+  bool eliminate(const SparseMatrix& A);
   Index updateSize(Index s) const { return supernodes_.height(s) - supernodes_.columns(s); }
   SolvePanel solvePanel(Index s) const;
 
@@ -48,8 +59,10 @@ class SparseCholesky {
   std::vector<std::size_t> paddedStart_;  // #supernodes + 1: into `paddedRows_`
   std::vector<std::size_t> tileStart_;    // #supernodes + 1: into `tiles_`
   std::vector<float> tiles_;
-  std::vector<RhsRow> rhs_;               // #unknowns + 1 in the factor's order; the last takes what padding writes
-  std::vector<RhsRow> scratch_;
+  std::vector<double> diagonal_;          // of A, for the supernode that is being factored
+  Multifrontal work_;
+  std::vector<LaneRow> rhs_;               // #unknowns + 1 in the factor's order; the last takes what padding writes
+  std::vector<LaneRow> scratch_;
 };
 
 }  // namespace whittle

@@ -1,6 +1,5 @@
 #include "linear/supernodes.h"
 
-#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <numeric>
 
@@ -16,29 +15,22 @@ bool isWorthMerging(Index columns, double shareOfZeros) {
   return shareOfZeros < 0.05;
 }
 
-std::vector<Index> minimumDegreeOrder(const SparseMatrix& A) {
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> oldOf;
-  Eigen::AMDOrdering<Index>()(A.selfadjointView<Eigen::Lower>(), oldOf);
-  std::vector<Index> newOf(A.cols());
-  for (Index position = 0; position < A.cols(); ++position) newOf[oldOf.indices()[position]] = position;
-  return newOf;
-}
-
-/// Renumbers so that children come before parents and subtrees are contiguous.
-void applyPostorder(const std::vector<Index>& order, std::vector<Index>& newOf) {
-  std::vector<Index> position(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<Index>(i);
-  for (Index& v : newOf) v = position[v];
-}
-
 struct Panel {
   Index start;
   Index columns;
   Index height;
 };
 
+/// Share of zeros in a panel of nodes that holds `entries` blocks of L, in unknowns: blocks on the diagonal hold a triangle.
+double shareOfZeros(const Panel& panel, std::int64_t entries, double blockSize) {
+  const double k = blockSize * panel.columns, height = blockSize * panel.height;
+  const double stored = k * (k + 1) / 2 + k * (height - k);
+  const double needed = blockSize * blockSize * static_cast<double>(entries) - k * (blockSize - 1) / 2;
+  return 1 - needed / stored;
+}
+
 /// Runs of columns that share their rows, then merged with what comes right before them in the tree where that pays.
-std::vector<Panel> findPanels(const std::vector<Index>& parent, const std::vector<Index>& counts) {
+std::vector<Panel> findPanels(const std::vector<Index>& parent, const std::vector<Index>& counts, Index blockSize) {
   const Index n = static_cast<Index>(parent.size());
   std::vector<std::int64_t> entriesBefore(n + 1, 0);
   for (Index j = 0; j < n; ++j) entriesBefore[j + 1] = entriesBefore[j] + counts[j];
@@ -55,12 +47,9 @@ std::vector<Panel> findPanels(const std::vector<Index>& parent, const std::vecto
       const Panel& above = panels.back();
       const Index up = parent[below.start + below.columns - 1];
       if (up < above.start || up >= above.start + above.columns) break;  // a root, or a sibling
-      const std::int64_t k = below.columns + above.columns;
-      const std::int64_t height = below.columns + above.height;
-      const double stored = k * (k + 1) / 2.0 + static_cast<double>(k) * (height - k);
-      const double needed = static_cast<double>(entriesBefore[below.start + k] - entriesBefore[below.start]);
-      if (!isWorthMerging(static_cast<Index>(k), 1 - needed / stored)) break;
-      const Panel merged{below.start, static_cast<Index>(k), static_cast<Index>(height)};
+      const Panel merged{below.start, below.columns + above.columns, below.columns + above.height};
+      const std::int64_t entries = entriesBefore[merged.start + merged.columns] - entriesBefore[merged.start];
+      if (!isWorthMerging(blockSize * merged.columns, shareOfZeros(merged, entries, blockSize))) break;
       panels.pop_back();
       panels.back() = merged;
     }
@@ -107,22 +96,51 @@ void fillRows(const UpperPattern& pattern, const std::vector<Panel>& panels, Sup
   }
 }
 
+std::vector<Index> positions(const std::vector<Index>& order) {
+  std::vector<Index> positionOf(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) positionOf[order[i]] = static_cast<Index>(i);
+  return positionOf;
+}
+
+/// From nodes to unknowns: every column and row becomes `blockSize` of them.
+Supernodes expand(const Supernodes& ofNodes, Index blockSize) {
+  Supernodes result;
+  result.parent = ofNodes.parent;
+  const auto repeat = [&](const std::vector<Index>& nodes, std::vector<Index>& unknowns) {
+    unknowns.reserve(nodes.size() * blockSize);
+    for (const Index node : nodes) {
+      for (Index component = 0; component < blockSize; ++component) unknowns.push_back(blockSize * node + component);
+    }
+  };
+  repeat(ofNodes.newOf, result.newOf);
+  repeat(ofNodes.rows, result.rows);
+  for (const Index start : ofNodes.columnStart) result.columnStart.push_back(blockSize * start);
+  for (const std::size_t start : ofNodes.rowStart) result.rowStart.push_back(blockSize * start);
+  return result;
+}
+
 }  // namespace
 
-Supernodes analyzeSupernodes(const SparseMatrix& A) {
+Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering) {
+  const Graph graph = graphOf(A, ordering.blockSize);
   Supernodes result;
-  result.newOf = minimumDegreeOrder(A);
-  applyPostorder(postorder(eliminationTree(upperPattern(A, result.newOf))), result.newOf);
-  const UpperPattern pattern = upperPattern(A, result.newOf);
+  if (ordering.natural) {
+    result.newOf.resize(graph.size());
+    std::iota(result.newOf.begin(), result.newOf.end(), 0);
+    result.newOf = positions(postorder(eliminationTree(upperPattern(graph, result.newOf))));
+  } else {
+    result.newOf = positions(eliminationOrder(graph, ordering.coordinates, ordering.blockSize));
+  }
+  const UpperPattern pattern = upperPattern(graph, result.newOf);
   const std::vector<Index> parent = eliminationTree(pattern);
-  const std::vector<Panel> panels = findPanels(parent, columnCounts(pattern, parent));
+  const std::vector<Panel> panels = findPanels(parent, columnCounts(pattern, parent), ordering.blockSize);
 
   for (const Panel& panel : panels) result.columnStart.push_back(panel.start);
   result.columnStart.push_back(pattern.size());
   result.parent.assign(panels.size(), -1);
   result.rowStart.push_back(0);
   fillRows(pattern, panels, result);
-  return result;
+  return ordering.blockSize == 1 ? result : expand(result, ordering.blockSize);
 }
 
 }  // namespace whittle

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "linear/elimination_tree.h"
+#include "linear/ordering.h"
 
 namespace whittle {
 
@@ -21,8 +22,9 @@ struct Supernodes {
   const Index* rowsOf(Index s) const { return rows.data() + rowStart[s]; }
 };
 
-/// Orders the unknowns of A by approximate minimum degree and finds the supernodes of its factor. Columns with nearly equal
-/// patterns are taken together: a few stored zeros cost less than many small panels.
-Supernodes analyzeSupernodes(const SparseMatrix& A);
+/// Orders the unknowns of A for a sparse factor and finds its supernodes. Columns with nearly equal patterns are taken
+/// together: a few stored zeros cost less than many small panels. Where unknowns come in blocks, the graph of their nodes is
+/// what is ordered and analyzed, so the columns of a supernode come in whole blocks.
+Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering = {});
 
 }  // namespace whittle

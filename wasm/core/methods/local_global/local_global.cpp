@@ -16,15 +16,16 @@ constexpr double kNoMove = 1e-7;
 /// Share of the energy that the regularizers' single precision decides.
 constexpr double kRounding = 1e-8;
 
-enum SharedParameter { kHandles, kAcceleration, kTolerance, kMaxIterations };
+const std::vector<Lanes> kNoGrowths;
 
-double longestMove(const Points& from, const Points& to) { return std::sqrt((to - from).rowwise().squaredNorm().maxCoeff()); }
+enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance, kMaxIterations };
 
 }  // namespace
 
 std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own) {
   own.push_back({"handles", ParameterKind::handles, Stale::system});
   own.push_back(Acceleration::parameter());
+  own.push_back(StoppingRule::parameter());
   own.push_back({"tolerance", ParameterKind::number, Stale::targets, 3e-3, 0, 1});
   own.push_back({"maxIterations", ParameterKind::integer, Stale::targets, 1000, 0, 1e6});
   return own;
@@ -34,21 +35,27 @@ Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, 
   if (stale == Stale::nothing) return {};
   const double* shared = settings.numbers.data() + ownParameters_;
   accelerationKind_ = static_cast<Acceleration::Kind>(shared[kAcceleration]);
+  stopping_.quantity = static_cast<StoppingRule::Quantity>(shared[kStopOn]);
   stopping_.tolerance = shared[kTolerance];
   stopping_.maxIterations = static_cast<int>(shared[kMaxIterations]);
   handles_.targets = settings.handles.targets;
-  if (stale >= Stale::all) prepareRestShape(rest);
-  if (stale >= Stale::weights) localStep_->prepare(*rest_, settings);
+  if (stale >= Stale::all) prepareRestShape(rest, localStep_->rigidity(settings));
+  if (stale >= Stale::weights) {
+    if (Status status = localStep_->prepare(*rest_, settings); !status.ok()) return status;
+    if (scales_) scales_->prepare(*edges_, rest_->mesh.positions, localStep_->pullWeights());
+  }
   if (stale < Stale::system) return {};
   Status status = prepareSystem(settings.handles);
   if (status.ok() && stale >= Stale::all) claimRunningState();  // late: the factorization's memory is the peak
   return status;
 }
 
-void LocalGlobal::prepareRestShape(const TriangleMesh& rest) {
+void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) {
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
-  edges_ = makeEdgeSet(localStep_->edgeSet(), rest, halfCotangents_);
+  edges_ = makeEdgeSet(edgeSetOf(rigidity), rest, halfCotangents_);
+  scales_.reset();
+  if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
 }
 
@@ -67,12 +74,12 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held);
+  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held, {&mesh.positions});
 }
 
 void LocalGlobal::begin(Points& positions) {
   stopping_.begin();
-  acceleration_.begin(accelerationKind_);
+  acceleration_.begin(localStep_->followsOutput() ? Acceleration::Kind::none : accelerationKind_);
   energy_ = std::numeric_limits<double>::infinity();
   localStep_->begin();
   std::fill(rotations_.begin(), rotations_.end(), identityRotations());
@@ -86,7 +93,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   }
   guess_.swap(rotations_);
   const bool extrapolated = acceleration_.extrapolate(positions, previous_);
-  previous_ = positions;
+  if (localStep_->followsOutput()) energy_ = std::numeric_limits<double>::infinity();
   report.energy = localStep(acceleration_.start(), false);
   if (extrapolated && !(report.energy <= energy_)) {
     acceleration_.reject(positions);
@@ -95,6 +102,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   // Not from an exact local step, but ADMM stops within its tolerance and, for strong pulls, at local maxima.
   if (report.energy > energy_ + kRounding * std::abs(energy_)) report.energy = localStep(positions, true);
   energy_ = report.energy;
+  previous_.swap(positions);
   globalStep(acceleration_.start(), positions);
   report.change = relativeDisplacement(positions);
   if (!std::isfinite(report.energy) || !std::isfinite(report.change)) {
@@ -107,25 +115,35 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 }
 
 double LocalGlobal::localStep(const Points& positions, bool neverWorse) {
-  double energy = edges_->gatherCovariances(positions, covariances_, residual_);
+  localStep_->observe(positions);
+  double energy = edges_->gatherCovariances(positions, covariances_, residual_) + localStep_->pullEnergy();
   for (std::size_t b = 0; b < rotations_.size(); ++b) {
     rotations_[b] = guess_[b];
+    localStep_->pull(b, covariances_[b]);
     const Lanes regularizers = localStep_->fit(b, ScaledCovariances(covariances_[b]), neverWorse, rotations_[b]);
-    energy += sumOf(toDouble(regularizers) - traces(rotations_[b], covariances_[b]));
+    const DoubleLanes gains = traces(rotations_[b], covariances_[b]);
+    energy += sumOf(toDouble(regularizers) - gains);
+    if (scales_) energy += scales_->fit(b, gains);
   }
   return energy;
 }
 
 void LocalGlobal::globalStep(const Points& from, Points& positions) {
-  edges_->addRotated(rotations_, residual_);
+  edges_->addSimilar(rotations_, scales_ ? scales_->growths() : kNoGrowths, residual_);
   system_.correct(residual_, from, positions);
   gauge_->restoreCentroids(positions);
 }
 
 double LocalGlobal::relativeDisplacement(const Points& positions) const {
-  const double move = std::max(longestMove(acceleration_.start(), positions), longestMove(previous_, positions));
-  const double way = longestMove(rest_->mesh.positions, positions);
-  return move <= kNoMove ? 0 : move / way;
+  const Points &start = acceleration_.start(), &rest = rest_->mesh.positions;
+  double move = 0, way = 0;  // squared
+  for (Index v = 0; v < positions.rows(); ++v) {
+    const auto x = positions.row(v);
+    move = std::max({move, (x - start.row(v)).squaredNorm(), (x - previous_.row(v)).squaredNorm()});
+    way = std::max(way, (x - rest.row(v)).squaredNorm());
+  }
+  if (!positions.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  return move <= kNoMove * kNoMove ? 0 : std::sqrt(move / way);
 }
 
 }  // namespace whittle

@@ -7,10 +7,19 @@
 
 namespace whittle {
 
-/// When a local/global iteration ends: relative displacement below the tolerance (2019, §3.1), the iteration limit, or an
-/// energy that has long stopped falling.
+/// When a local/global iteration ends: a quantity below the tolerance, the iteration limit, or an energy that has long stopped
+/// falling. The quantity is
+/// - displacement: the longest move of an iteration as a share of the longest way from rest (2019, §3.1);
+/// - energy: the decrease of two iterations in a row, each as a share of the energy before it (accelerated iterations that turn
+///   back decrease it little, once).
 class StoppingRule {
  public:
+  enum class Quantity { displacement, energy };
+
+  /// The parameter that chooses among them.
+  static ParameterInfo parameter() { return choiceParameter("stopOn", Stale::targets, {"displacement", "energy"}); }
+
+  Quantity quantity = Quantity::displacement;
   double tolerance = 3e-3;
   int maxIterations = 1000;
 
@@ -18,6 +27,8 @@ class StoppingRule {
     iterations_ = 0;
     lowestEnergy_ = std::numeric_limits<double>::infinity();
     lastImprovement_ = 0;
+    energyBefore_ = std::numeric_limits<double>::infinity();
+    smallDecreases_ = 0;
   }
 
   bool exhausted() const { return iterations_ >= maxIterations; }
@@ -29,7 +40,12 @@ class StoppingRule {
       lowestEnergy_ = report.energy;
       lastImprovement_ = iterations_;
     }
-    if (report.change <= tolerance) return Outcome::converged;
+    const bool smallDecrease = iterations_ > 1 && energyBefore_ - report.energy <= tolerance * std::abs(energyBefore_);
+    smallDecreases_ = smallDecrease ? smallDecreases_ + 1 : 0;
+    energyBefore_ = report.energy;
+    // What no longer moves is done by either measure.
+    const bool done = quantity == Quantity::energy ? smallDecreases_ >= 2 || report.change == 0 : report.change <= tolerance;
+    if (done) return Outcome::converged;
     if (iterations_ - lastImprovement_ >= kPatience) return Outcome::stalled;
     return exhausted() ? Outcome::iterationLimit : Outcome::running;
   }
@@ -40,6 +56,8 @@ class StoppingRule {
 
   int iterations_ = 0;
   int lastImprovement_ = 0;
+  double energyBefore_ = 0;
+  int smallDecreases_ = 0;
   double lowestEnergy_ = 0;
 };
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "linear/graph.h"
+
+namespace whittle {
+
+/// How the unknowns of a matrix are to be numbered for its factorization.
+struct Ordering {
+  const Points* coordinates = nullptr;  // one row per node: where it is in space, for systems large enough to be cut in space
+  Index blockSize = 1;                  // unknowns per node, numbered blockSize·node + component
+  bool natural = false;                 // the unknowns are already in a good order
+};
+
+/// Elimination order by approximate minimum degree: position → node.
+std::vector<Index> minimumDegreeOrder(const Graph& graph);
+
+/// An elimination order that keeps the Cholesky factor of matrices on this graph sparse: position → node. Minimum degree for
+/// small systems, nested dissection for large ones with coordinates (#nodes×3; nullptr: unknown), size being counted in
+/// unknowns, `blockSize` per node. Children of the elimination tree come before their parents and subtrees in one piece, so
+/// a mesh renumbered by this order can be factored in its natural order. The same graph gives the same order everywhere.
+std::vector<Index> eliminationOrder(const Graph& graph, const Points* coordinates = nullptr, Index blockSize = 1);
+
+}  // namespace whittle
