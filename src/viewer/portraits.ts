@@ -38,7 +38,7 @@ export class Portraits {
     this.#stage.apply(theme);
     this.#stage.placeFloor(-100);
     this.#material.color.set(theme.clay);
-    this.#camera.position.set(0.52, 0.42, 1).setLength(4.15);
+    this.#camera.position.set(0.52, 0.42, 1).setLength(4.3);
     this.#camera.lookAt(0, 0, 0);
   }
 
@@ -51,6 +51,7 @@ export class Portraits {
       this.#material.needsUpdate = true;
     }
     const body = new MeshObject(surface.geometry, this.#material);
+    body.scale.setScalar(1 / reachOf(surface.drawn));
     this.#scene.add(body);
     this.#renderer.render(this.#scene, this.#camera);
     this.#scene.remove(body);
@@ -70,4 +71,12 @@ export class Portraits {
 
 function shadeBy(normals: Float64Array, geometry: BufferGeometry): void {
   geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(normals), 3));
+}
+
+/** How far the farthest point is from the origin. */
+function reachOf(positions: Float32Array): number {
+  let square = 0;
+  for (let p = 0; p < positions.length; p += 3)
+    square = Math.max(square, positions[p]! ** 2 + positions[p + 1]! ** 2 + positions[p + 2]! ** 2);
+  return Math.sqrt(square) || 1;
 }

@@ -17,16 +17,16 @@ export class WhittleGallery extends PageElement {
   }
 
   protected override render() {
-    const { offer, flow, pending, entries } = this.state.gallery;
+    const { offer, flow, pending, entries, painting } = this.state.gallery;
     return html`
-      <div class="gallery" role="listbox" aria-label="Styles" aria-busy=${pending !== null} @keydown=${this.#key}>
+      <div class="gallery" role="listbox" ?hidden=${painting} aria-label="Styles" aria-busy=${pending !== null} @keydown=${this.#key}>
         ${groups.map(({ id, title }) => this.#group(id, title, entries))}
       </div>
       ${offer ? this.#offer(offer.why) : nothing}
       ${flow ? html`<whittle-flow .flow=${flow}></whittle-flow>` : nothing}
       <div class="gallery-tools">
         <button type="button" class="button small" data-act="add-style" title="A mesh, or a PNG of a ball that holds normals; dropping it here does the same" @click=${() => this.page.pickStyle()}>${icon('add')}Add a style</button>
-        <button type="button" class="button small" data-act="paint" aria-pressed=${this.state.gallery.painting} title="Paint normals on a ball" @click=${() => this.page.painter.toggle()}>${icon('brush')}Paint</button>
+        <button type="button" class="button small" data-act="paint" aria-pressed=${painting} title="Paint normals on a ball" @click=${() => this.page.painter.toggle()}>${icon('brush')}Paint</button>
       </div>
     `;
   }

@@ -40,7 +40,7 @@ export class WhittlePanel extends PageElement {
     return html`
       <header class="method">
         ${offered.length > 1 ? this.#switch(method, offered) : html`<h2>${method.title}</h2>`}
-        <p title=${method.paper}>${method.summary}</p>
+        ${takesStyle(method) ? nothing : html`<p title=${method.paper}>${method.summary}</p>`}
       </header>
     `;
   }
