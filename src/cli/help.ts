@@ -41,7 +41,7 @@ export function methodsHelp(): string {
 
 function parameterHelp(parameter: ParameterDescriptor): string {
   const { value, range } = valueHelp(parameter);
-  return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(28)}${range}\n      ${parameter.doc}\n`;
+  return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(33)}${range}\n      ${parameter.doc}\n`;
 }
 
 function valueHelp(parameter: ParameterDescriptor): { value: string; range: string } {
@@ -55,7 +55,7 @@ function valueHelp(parameter: ParameterDescriptor): { value: string; range: stri
     case 'choice':
       return { value: 'NAME', range: `${parameter.choices.join(' | ')}, default ${parameter.default}` };
     case 'flag':
-      return { value: '', range: `true or false, default ${parameter.default}` };
+      return { value: '', range: `alone for true, or =true, =false; default ${parameter.default}` };
     case 'scalars':
       return {
         value: 'FILE.json',

@@ -8,7 +8,7 @@ import type {
 } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { Shaping, WhittleDocument } from './document.ts';
-import { startingLambda } from './starting-lambda.ts';
+import { startingLambda, startingStrength } from './starting-lambda.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
@@ -36,11 +36,12 @@ export function takesStyle(method: MethodDescriptor | undefined): boolean {
 /** What a method opens with on a mesh: its defaults, but for what depends on the mesh and the style. */
 export function startingParameters(
   method: MethodDescriptor,
-  { report }: Pick<WhittleDocument, 'report' | 'style'>,
+  { report, style }: Pick<WhittleDocument, 'report' | 'style'>,
 ): ParameterValues {
   const values: Record<string, number | string | boolean> = {};
   for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
-  if (typeof values.lambda === 'number') values.lambda = startingLambda(report.vertices);
+  if (typeof values.lambda !== 'number') return values;
+  values.lambda = takesStyle(method) && style ? startingStrength(style.map) : startingLambda(report.vertices);
   return values;
 }
 

@@ -1,3 +1,5 @@
+import type { GaussMap } from '../../src/methods/gauss-map.ts';
+
 /** A mesh of this many vertices looks right at {@link usualLambda}. */
 const usualVertices = 7500;
 const usualLambda = 0.45;
@@ -12,4 +14,12 @@ const usualLambda = 0.45;
 export function startingLambda(vertices: number): number {
   const lambda = usualLambda * (usualVertices / Math.max(1, vertices)) ** 0.7;
   return Number(Math.min(1.2, Math.max(0.03, lambda)).toPrecision(2));
+}
+
+/**
+ * The λ that a style is first put on with, by eye on the page's own samples: four where normals snap to few faces, so that
+ * edges show; less where they vary smoothly, or it crumples. The mesh's fineness matters little at this strength.
+ */
+export function startingStrength(map: GaussMap): number {
+  return map.kind === 'closest' ? 4 : 2.5;
 }

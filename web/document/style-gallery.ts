@@ -35,7 +35,7 @@ export const builtIn: readonly StyleEntry[] = [
 ];
 
 /** What the page opens the styles with. */
-export const firstStyle: StyleEntry = builtIn.find(({ source }) => source === 'icosahedron')!;
+export const firstStyle: StyleEntry = builtIn.find(({ source }) => source === 'octahedron')!;
 
 let brought = 0;
 

@@ -1,9 +1,7 @@
 import type { Engine } from '../../src/engine/client.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
-import { normalsOfConvex } from '../../src/styles/convex-normals.ts';
-import { refined } from '../../src/styles/refined.ts';
-import { sphereNormals } from '../../src/styles/sphere-normals.ts';
+import { resolveStyle } from '../../src/styles/resolve.ts';
 import type { StyleEntry } from './style-gallery.ts';
 
 /** Sees a style mesh on its way to the sphere. */
@@ -31,12 +29,11 @@ export class StyleReader {
   async #readNow(entry: StyleEntry, onFlow?: FlowListener): Promise<GaussMap> {
     const subject = entry.subject();
     if ('map' in subject) return subject.map;
-    if (entry.group === 'shapes') return { kind: 'closest', normals: normalsOfConvex(subject.mesh) };
-    return this.#throughSphere(subject.mesh, onFlow);
+    const mapping = entry.group === 'shapes' ? 'closest' : 'spherical';
+    return resolveStyle(subject.mesh, mapping, (mesh) => this.#flow(mesh, onFlow));
   }
 
-  async #throughSphere(style: Mesh, onFlow?: FlowListener): Promise<GaussMap> {
-    const mesh = refined(style);
+  async #flow(mesh: Mesh, onFlow?: FlowListener): Promise<Float64Array> {
     const settings = { method: 'spherical', parameters: {}, start: 'rest', frames: !!onFlow } as const;
     try {
       const { positions } = await this.#engine.solve(mesh, settings, {
@@ -44,8 +41,7 @@ export class StyleReader {
           if (positions) await onFlow?.(mesh, positions);
         },
       });
-      const { points, triangles, faceNormals } = sphereNormals(mesh, positions);
-      return { kind: 'sphere', points, triangles, normals: faceNormals, per: 'face' };
+      return positions;
     } finally {
       this.#engine.release(mesh);
     }

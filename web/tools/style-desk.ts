@@ -1,11 +1,13 @@
 import type { Engine } from '../../src/engine/client.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
+import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import { methods } from '../../src/methods/registry.ts';
 import { mapOfPixels } from '../../src/styles/captures.ts';
 import { normalsOfConvex } from '../../src/styles/convex-normals.ts';
 import { isPng, readPng } from '../../src/styles/png.ts';
-import type { ChosenStyle } from '../document/document.ts';
+import type { ChosenStyle, WhittleDocument } from '../document/document.ts';
 import { startingParameters, takesStyle } from '../document/offered-methods.ts';
+import { startingStrength } from '../document/starting-lambda.ts';
 import type { Gallery, Store } from '../document/store.ts';
 import { firstStyle, ownStyle, type StyleEntry } from '../document/style-gallery.ts';
 import { StyleReader } from '../document/style-reader.ts';
@@ -124,10 +126,11 @@ export class StyleDesk {
     const { document } = this.#store.state;
     const method = methods.find(takesStyle);
     if (!document || !method) return;
-    const isNew = document.method !== method.id;
-    const parameters = isNew
-      ? startingParameters(method, { report: document.report, style })
-      : document.parameters;
+    const { report } = document;
+    const parameters =
+      document.method === method.id
+        ? carriedOver(document, style)
+        : startingParameters(method, { report, style });
     this.#workspace.restyle({ method: method.id, parameters, style }, style.name);
   }
 
@@ -145,6 +148,12 @@ export class StyleDesk {
   #fail(thrown: unknown): void {
     this.#store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
   }
+}
+
+/** A strength that the person chose stays; one that nobody touched becomes what suits the new style. */
+function carriedOver({ parameters, style: old }: WhittleDocument, style: ChosenStyle): ParameterValues {
+  const isUntouched = old === null || parameters.lambda === startingStrength(old.map);
+  return isUntouched ? { ...parameters, lambda: startingStrength(style.map) } : parameters;
 }
 
 function captureOf(bytes: Uint8Array, file: string): StyleEntry {
