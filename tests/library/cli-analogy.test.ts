@@ -65,10 +65,13 @@ test.each([
   ['--style cubee', /There is no style “cubee”. Did you mean “cube”/],
   ['--style @none.obj', /none.obj: there is no such file/],
   ['--style @in.txt', /in.txt/],
-  ['--style @photo.png', /photo.png: pictures of normals/],
+  ['--style @photo.jpg', /photo.jpg: a normal capture is a PNG/],
+  ['--style @photo.png', /photo.png: there is no such file/],
+  ['--style @fake.png', /fake.png.*could not be read as a PNG/],
   ['--style jessen --mapping closest', /not convex/],
 ])('%s is refused', async (flags, message) => {
   await desk.write('in.txt', 'no mesh');
+  await desk.write('fake.png', 'no picture');
   const said = await desk.run(`analogy @in.obj ${flags} --out @out.obj`);
   expect(said.code).toBe(1);
   expect(said.stderr).toMatch(message);

@@ -12,13 +12,22 @@ export abstract class PageElement extends LitElement {
   }
 
   set page(page: Page) {
-    this.#unsubscribe?.();
+    if (page === this.#page) return;
     this.#page = page;
-    this.#unsubscribe = page.store.subscribe((state) => {
-      this.stateChanged(state);
-      this.requestUpdate();
-    });
+    this.#listen();
     this.requestUpdate();
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#listen();
+  }
+
+  /** What has left the page hears no more of it. */
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#unsubscribe?.();
+    this.#unsubscribe = null;
   }
 
   get state(): State {
@@ -33,5 +42,14 @@ export abstract class PageElement extends LitElement {
 
   protected override shouldUpdate(): boolean {
     return this.#page !== null;
+  }
+
+  #listen(): void {
+    this.#unsubscribe?.();
+    this.#unsubscribe =
+      this.#page?.store.subscribe((state) => {
+        this.stateChanged(state);
+        this.requestUpdate();
+      }) ?? null;
   }
 }

@@ -22,11 +22,6 @@ export class WhittlePainter extends PageElement {
   #at: Vec3 | null = null;
   #unwatch: (() => void) | null = null;
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.requestUpdate();
-  }
-
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#unwatch?.();

@@ -45,11 +45,11 @@ export class Stroke {
 export class Coverage {
   readonly #surface: BrushSurface;
   /** #V, 0 to 1. */
-  readonly share: Float32Array<ArrayBuffer>;
+  readonly share: Float64Array<ArrayBuffer>;
 
   constructor(surface: BrushSurface) {
     this.#surface = surface;
-    this.share = new Float32Array(surface.vertices);
+    this.share = new Float64Array(surface.vertices);
   }
 
   /** @returns vertices whose share grew */
