@@ -21,6 +21,7 @@ export abstract class PageElement extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#listen();
+    this.requestUpdate();
   }
 
   /** What has left the page hears no more of it. */
@@ -41,7 +42,7 @@ export abstract class PageElement extends LitElement {
   }
 
   protected override shouldUpdate(): boolean {
-    return this.#page !== null;
+    return this.#page !== null && this.isConnected;
   }
 
   #listen(): void {

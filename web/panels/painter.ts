@@ -21,12 +21,14 @@ export class WhittlePainter extends PageElement {
   /** Where the brush is, on the ball. */
   #at: Vec3 | null = null;
   #unwatch: (() => void) | null = null;
+  /** What the ball's picture was made of. */
+  #shown: readonly unknown[] | null = null;
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#unwatch?.();
     this.#ball?.dispose();
-    this.#unwatch = this.#ball = null;
+    this.#unwatch = this.#ball = this.#shown = null;
   }
 
   protected override render() {
@@ -52,18 +54,24 @@ export class WhittlePainter extends PageElement {
         <input type="checkbox" .checked=${mirror} @change=${(event: Event) => painter.setBrush({ mirror: (event.target as HTMLInputElement).checked })} /></label>
       <div class="painter-tools">
         <button type="button" class="button small" data-act="clear-ball" title="An empty ball: every normal stays" @click=${() => painter.clear()}>${icon('reset')}Clear</button>
-        <button type="button" class="button small" data-act="save-capture" title="Save the front of the ball as a PNG" @click=${() => this.page.saveCapture()}>${icon('export')}Save PNG</button>
+        <button type="button" class="button small" data-act="save-capture" title="Save the front of the ball as a PNG" @click=${() => this.page.saveCapture()}>${icon('export')}Save</button>
         <button type="button" class="button small" data-act="load-capture" title="Load a PNG of a ball that holds normals" @click=${() => this.page.pickStyle('.png')}>${icon('open')}Load</button>
       </div>
     `;
   }
 
   protected override updated(): void {
-    const { painter } = this.page;
     this.#ball ??= this.#open();
     if (!this.#ball) return;
-    this.#ball.setTheme(document.documentElement.dataset.theme === 'dark' ? darkTheme : lightTheme);
-    this.#ball.setNormals(painter.map.normals);
+    const { normals } = this.page.painter.map;
+    const { theme = 'light' } = document.documentElement.dataset;
+    const { x, y, z, w } = this.page.view.orientation;
+    const now = [normals, theme, x, y, z, w, this.#at, this.page.painter.brush.size] as const;
+    // Every frame of a run comes by here; most change nothing on the ball.
+    if (this.#shown?.every((value, k) => value === now[k])) return;
+    if (this.#shown?.[1] !== theme) this.#ball.setTheme(theme === 'dark' ? darkTheme : lightTheme);
+    if (this.#shown?.[0] !== normals || this.#shown[1] !== theme) this.#ball.setNormals(normals);
+    this.#shown = now;
     this.#show();
   }
 
@@ -100,10 +108,8 @@ export class WhittlePainter extends PageElement {
   readonly #move = (event: PointerEvent): void => {
     const point = this.#under(event);
     this.#at = point;
-    if (point && this.page.painter.isPainting) {
-      this.page.painter.move(point);
-      this.requestUpdate();
-    } else this.#show();
+    if (point && this.page.painter.isPainting) this.page.painter.move(point);
+    this.requestUpdate();
   };
 
   readonly #up = (): void => this.page.painter.end();
@@ -111,7 +117,7 @@ export class WhittlePainter extends PageElement {
   readonly #leave = (): void => {
     if (this.page.painter.isPainting) return;
     this.#at = null;
-    this.#show();
+    this.requestUpdate();
   };
 
   readonly #key = (event: KeyboardEvent): void => {
@@ -122,7 +128,7 @@ export class WhittlePainter extends PageElement {
     else return;
     event.preventDefault();
     event.stopPropagation();
-    this.#show();
+    this.requestUpdate();
   };
 
   #dab(point: Vec3): void {

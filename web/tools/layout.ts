@@ -3,6 +3,7 @@ import type { Viewer } from '../../src/viewer/viewer.ts';
 /** Keeps the canvas as large as its box and the object centred in the part that no panel covers. */
 export function followLayout(viewer: Viewer, stage: HTMLElement, panel: HTMLElement, bar: HTMLElement): void {
   let narrow: boolean | null = null;
+  let covered = 0;
   const measure = () => {
     const box = stage.getBoundingClientRect();
     const cover = panel.getBoundingClientRect();
@@ -13,7 +14,11 @@ export function followLayout(viewer: Viewer, stage: HTMLElement, panel: HTMLElem
       : { top: 40, right: Math.max(0, box.right - cover.left), bottom: 40, left: 0 };
     viewer.setInsets(insets);
     viewer.resize(box.width, box.height, devicePixelRatio);
+    // Where the sheet takes much more or less of a phone than before, the object moves to where it can be seen.
+    const isOther = isNarrow && Math.abs(covered - insets.bottom) > 60;
     if (narrow !== isNarrow) viewer.fit(false);
+    else if (isOther) viewer.fit();
+    if (narrow !== isNarrow || isOther) covered = insets.bottom;
     narrow = isNarrow;
   };
   const observer = new ResizeObserver(measure);
