@@ -5,7 +5,29 @@ import { resolveStyle } from '../../src/styles/resolve.ts';
 import type { StyleEntry } from './style-gallery.ts';
 
 /** Sees a style mesh on its way to the sphere. */
-export type FlowListener = (mesh: Mesh, positions: Float64Array) => Promise<void>;
+export type FlowListener = (mesh: Mesh, positions: Float64Array) => void;
+
+/** What was seen of a flow, to be shown at a pace that eyes can follow. */
+export class Film {
+  #mesh: Mesh | null = null;
+  readonly #pictures: Float64Array[] = [];
+
+  readonly take: FlowListener = (mesh, positions) => {
+    if (!this.#mesh) this.#pictures.push(mesh.positions);
+    this.#mesh = mesh;
+    this.#pictures.push(positions.slice());
+  };
+
+  /** The surface at a share of the way from 0 to 1; null if nothing was seen. */
+  at(share: number): { mesh: Mesh; positions: Float64Array } | null {
+    if (!this.#mesh) return null;
+    const place = share * (this.#pictures.length - 1);
+    const before = this.#pictures[Math.floor(place)]!;
+    const after = this.#pictures[Math.ceil(place)]!;
+    const part = place - Math.floor(place);
+    return { mesh: this.#mesh, positions: before.map((x, i) => x + part * (after[i]! - x)) };
+  }
+}
 
 /** Turns entries of the gallery into Gauss maps, each once. */
 export class StyleReader {
@@ -37,10 +59,11 @@ export class StyleReader {
     const settings = { method: 'spherical', parameters: {}, start: 'rest', frames: !!onFlow } as const;
     try {
       const { positions } = await this.#engine.solve(mesh, settings, {
-        onFrame: async ({ positions }) => {
-          if (positions) await onFlow?.(mesh, positions);
+        onFrame: ({ positions }) => {
+          if (positions) onFlow?.(mesh, positions);
         },
       });
+      onFlow?.(mesh, positions);
       return positions;
     } finally {
       this.#engine.release(mesh);

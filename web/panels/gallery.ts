@@ -10,6 +10,7 @@ import './flow-view.ts';
 /** The styles as little pictures. Arrow keys walk, Enter takes; a click restyles the mesh at once. */
 export class WhittleGallery extends PageElement {
   readonly #photographer = new Photographer();
+  #shownId = '';
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
@@ -31,7 +32,15 @@ export class WhittleGallery extends PageElement {
     `;
   }
 
+  protected override firstUpdated(): void {
+    void this.page.styles.readAhead();
+  }
+
   protected override updated(): void {
+    const chosen = this.page.styles.chosenId;
+    if (chosen !== this.#shownId)
+      this.querySelector(`[data-style="${chosen}"]`)?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    this.#shownId = chosen;
     this.#photographer.look(this.querySelectorAll<HTMLCanvasElement>('.tile canvas'), (id) =>
       this.state.gallery.entries.find((entry) => entry.id === id),
     );

@@ -19,7 +19,7 @@ const choices: readonly { readonly name: OverlayName; readonly label: string }[]
 export function measures(page: Page, { look, overlay, document, activity }: State): TemplateResult {
   const energy = activity.kind === 'solving' ? activity.energy : (document?.result?.energy ?? []);
   return html`
-    <details class="measures report">
+    <details class="measures">
       <summary><span>Look closer</span></summary>
       <fieldset class="chips">
         <legend>Colour the mesh by</legend>

@@ -10,7 +10,7 @@ import { startingParameters, takesStyle } from '../document/offered-methods.ts';
 import { startingStrength } from '../document/starting-lambda.ts';
 import type { Gallery, Store } from '../document/store.ts';
 import { firstStyle, ownStyle, type StyleEntry } from '../document/style-gallery.ts';
-import { StyleReader } from '../document/style-reader.ts';
+import { Film, StyleReader } from '../document/style-reader.ts';
 import type { Workspace } from '../document/workspace.ts';
 
 export interface StyleDeskParts {
@@ -20,6 +20,9 @@ export interface StyleDeskParts {
   /** Resolves when what was last set is on the screen. */
   readonly drawn: () => Promise<void>;
 }
+
+/** As long as a flow to the sphere is shown, and then the sphere. */
+const playMilliseconds = 1500;
 
 /** All that can be done with styles: choose one, bring one, read it through the sphere. */
 export class StyleDesk {
@@ -46,15 +49,17 @@ export class StyleDesk {
   /** Restyles the mesh. The latest choice wins if an earlier one is still being read. */
   async choose(entry: StyleEntry, watch = false): Promise<void> {
     const turn = ++this.#latest;
-    this.#set({ pending: entry.id, offer: null });
+    this.#set({ pending: entry.id, offer: null, flow: null });
+    const film = new Film();
     try {
-      const map = await this.#reader.read(entry, watch ? this.#watch(entry.name) : undefined);
+      const map = await this.#reader.read(entry, watch ? film.take : undefined);
       if (turn !== this.#latest) return;
       this.#apply({ id: entry.id, name: entry.name, source: entry.source, map });
+      if (watch) void this.#play(film, entry.name, turn);
     } catch (thrown) {
       if (turn === this.#latest) this.#fail(thrown);
     } finally {
-      if (turn === this.#latest) this.#set({ pending: null, flow: null });
+      if (turn === this.#latest) this.#set({ pending: null });
     }
   }
 
@@ -134,11 +139,18 @@ export class StyleDesk {
     this.#workspace.restyle({ method: method.id, parameters, style }, style.name);
   }
 
-  #watch(name: string) {
-    return async (mesh: { positions: Float64Array; triangles: Uint32Array }, positions: Float64Array) => {
-      this.#set({ flow: { name, mesh: mesh as never, positions } });
+  /** Shows a flow that is over too soon to be seen; another choice ends it. */
+  async #play(film: Film, name: string, turn: number): Promise<void> {
+    const began = performance.now();
+    for (let share = 0; share < 1 && turn === this.#latest; ) {
+      share = Math.min(1, (performance.now() - began) / playMilliseconds);
+      const picture = film.at(share);
+      if (picture) this.#set({ flow: { name, ...picture } });
       await this.#drawn();
-    };
+      await pause(30);
+    }
+    await pause(playMilliseconds);
+    if (turn === this.#latest) this.#set({ flow: null });
   }
 
   #set(change: Partial<Gallery>): void {

@@ -1,0 +1,227 @@
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { pixelsOfMap, sphereMap } from '../../src/styles/captures.ts';
+import { isPng, writePng } from '../../src/styles/png.ts';
+import { unit } from '../../src/styles/vectors.ts';
+import { carved, errorsOf, launch, openPage, picture } from './support/browser.ts';
+import { type PageServer, servePage } from './support/page-server.ts';
+
+const axe = createRequire(import.meta.url).resolve('axe-core');
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
+
+let server: PageServer;
+let browser: Browser;
+let page: Page;
+
+beforeAll(async () => {
+  server = await servePage();
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser?.close();
+  await server?.close();
+});
+afterEach(async () => {
+  expect(errorsOf(page)).toEqual([]);
+  await page.context().close();
+});
+
+const act = (name: string) => page.locator(`[data-act=${name}]`);
+const undoLabel = () => act('undo').getAttribute('aria-label');
+
+/** The page with a style on and all its pictures taken. */
+async function openStyles(options = {}): Promise<void> {
+  page = await openPage(browser, server.url, options);
+  await page.locator('.switch label').nth(1).click();
+  await page.waitForSelector('.tile[aria-selected=true]');
+  await carved(page);
+}
+
+async function drop(target: string, name: string, bytes: Uint8Array): Promise<void> {
+  const transfer = await page.evaluateHandle(
+    ([values, file]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(values)], file));
+      return data;
+    },
+    [[...bytes], name] as const,
+  );
+  await page.dispatchEvent(target, 'dragenter', { dataTransfer: transfer });
+  await page.dispatchEvent(target, 'drop', { dataTransfer: transfer });
+}
+
+async function chosen(name: string): Promise<void> {
+  await page.waitForFunction(
+    (wanted) => document.querySelector('.tile[aria-selected=true]')?.textContent?.trim() === wanted,
+    name,
+  );
+  await carved(page);
+}
+
+it('restyles at a click, one entry each, and undoes', async () => {
+  await openStyles();
+  expect(await undoLabel()).toBe('Undo Octahedron');
+  const octahedral = await picture(page);
+  await page.locator('[data-style=shapes-cube]').click();
+  await chosen('Cube');
+  expect(await picture(page)).not.toBe(octahedral);
+  await page.locator('[data-style=meshes-oloid]').click();
+  await chosen('Oloid');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await chosen('Octahedron');
+  expect(await picture(page)).toBe(octahedral);
+  await page.keyboard.press('Control+z');
+  expect(await page.locator('.switch input').first().isChecked()).toBe(true);
+});
+
+it('walks the gallery with arrow keys and takes with Enter', async () => {
+  await openStyles();
+  await page.locator('.tile[aria-selected=true]').focus();
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  await chosen('Bevelled cube');
+  expect(await page.evaluate(() => document.activeElement?.getAttribute('aria-selected'))).toBe('true');
+});
+
+it('fills every picture, soon and not all at once', async () => {
+  await openStyles();
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll<HTMLCanvasElement>('.tile canvas')].every((canvas) =>
+      canvas
+        .getContext('2d')!
+        .getImageData(0, 0, 128, 128)
+        .data.some((value) => value > 0),
+    ),
+  );
+  expect(await page.locator('.tile').count()).toBeGreaterThan(30);
+});
+
+it('takes a dropped picture of normals as a style and refuses a photo', async () => {
+  await openStyles();
+  const tilted = sphereMap(([x, y, z]) => unit([x, y + 0.8, z]));
+  await drop('#canvas', 'tilted.png', writePng(pixelsOfMap(tilted, 64)));
+  await chosen('tilted');
+  const before = await picture(page);
+  const grey = { width: 32, height: 24, data: new Uint8Array(4 * 32 * 24).fill(90) };
+  await drop('.gallery', 'photo.png', writePng(grey));
+  const alert = page.locator('[role=alert] .notice');
+  await alert.waitFor();
+  expect(await alert.innerText()).toContain('crop it');
+  await page.keyboard.press('Escape');
+  expect(await picture(page)).toBe(before);
+});
+
+it('reads a concave mesh through the sphere once asked, and says why another cannot be', async () => {
+  await openStyles();
+  await drop('.gallery', 'peanut.obj', revolved(false));
+  await act('accept-style').click();
+  await page.waitForSelector('whittle-flow');
+  await chosen('peanut');
+  await drop('.gallery', 'ring.obj', revolved(true));
+  await act('accept-style').click();
+  const alert = page.locator('[role=alert] .notice');
+  await alert.waitFor();
+  expect(await alert.innerText()).toMatch(/handle|genus/);
+});
+
+it('paints a stroke live, one entry, and saves the ball as a picture', async () => {
+  await openStyles();
+  await act('paint').click();
+  const before = await picture(page);
+  const box = (await page.locator('.ball').boundingBox())!;
+  await page.mouse.move(box.x + 60, box.y + 60);
+  await page.mouse.down();
+  for (let step = 1; step <= 4; step++) await page.mouse.move(box.x + 60 + 10 * step, box.y + 60 + 6 * step);
+  await page.mouse.up();
+  await page.waitForFunction(() =>
+    document.querySelector('[data-act=undo]')?.getAttribute('aria-label')?.includes('Stroke'),
+  );
+  await carved(page);
+  expect(await picture(page)).not.toBe(before);
+  const [download] = await Promise.all([page.waitForEvent('download'), act('save-capture').click()]);
+  expect(isPng(await readFile(await download.path()))).toBe(true);
+  await page.keyboard.press('Control+z');
+  expect(await undoLabel()).toBe('Undo Octahedron');
+  expect(await picture(page)).toBe(before);
+});
+
+it('colours the mesh by what it measures and says what the colours mean', async () => {
+  await openStyles();
+  const clay = await picture(page);
+  await page.locator('.measures summary').click();
+  await page.getByLabel('Angle before').check({ force: true });
+  const mean = () =>
+    page
+      .locator('.legend')
+      .innerText()
+      .then((text) => Number(/average ([\d.]+)/.exec(text)![1]));
+  const before = await mean();
+  await page.getByLabel('Angle after').check({ force: true });
+  expect(await mean()).toBeLessThan(before);
+  expect(await picture(page)).not.toBe(clay);
+  await page.getByLabel('Nothing').check({ force: true });
+  expect(await page.locator('.legend').count()).toBe(0);
+  expect(await picture(page)).toBe(clay);
+});
+
+async function violations(): Promise<string[]> {
+  await page.addScriptTag({ path: axe });
+  return page.evaluate(async () => {
+    const { axe } = globalThis as unknown as {
+      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+    };
+    const found = (await axe.run()).violations;
+    return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' | ')}`);
+  });
+}
+
+describe.each([
+  ['in light', { colorScheme: 'light' }],
+  ['in dark', { colorScheme: 'dark' }],
+  ['on a phone', phone],
+] as const)('%s', (_, options) => {
+  it('passes axe with the gallery, the painter and the measures open', async () => {
+    await openStyles(options);
+    expect(await violations()).toEqual([]);
+    await act('paint').click();
+    for (const summary of await page.locator('details > summary').all()) await summary.click();
+    await page.locator('.chips label').nth(2).click();
+    expect(await violations()).toEqual([]);
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(overflow).toBeLessThanOrEqual(0);
+  });
+});
+
+/** A waisted bottle without a hole, or a ring with one, as OBJ. */
+function revolved(isRing: boolean): Uint8Array {
+  const [around, along] = [32, 24];
+  const lines: string[] = [];
+  for (let i = 0; i < around; i++)
+    for (let j = 0; j < along; j++) {
+      const turn = (2 * Math.PI * i) / around;
+      const t = isRing ? (2 * Math.PI * j) / along : (Math.PI * (j + 0.5)) / along;
+      const waist = 0.6 + 0.4 * Math.cos(t) ** 2;
+      const [radius, y] = isRing
+        ? [1 + 0.4 * Math.cos(t), 0.4 * Math.sin(t)]
+        : [waist * Math.sin(t), waist * Math.cos(t)];
+      lines.push(`v ${radius * Math.cos(turn)} ${y} ${radius * Math.sin(turn)}`);
+    }
+  const at = (i: number, j: number) => (i % around) * along + (j % along) + 1;
+  for (let i = 0; i < around; i++)
+    for (let j = 0; j < (isRing ? along : along - 1); j++)
+      lines.push(`f ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)} ${at(i + 1, j)}`);
+  if (!isRing) {
+    const rim = (j: number) => Array.from({ length: around }, (_, i) => at(i, j));
+    lines.push('v 0 1 0', 'v 0 -1 0');
+    const [top, foot] = [around * along + 1, around * along + 2];
+    for (let i = 0; i < around; i++) {
+      lines.push(`f ${top} ${rim(0)[i]} ${rim(0)[(i + 1) % around]}`);
+      lines.push(`f ${foot} ${rim(along - 1)[(i + 1) % around]} ${rim(along - 1)[i]}`);
+    }
+  }
+  return new TextEncoder().encode(lines.join('\n'));
+}
