@@ -30,6 +30,15 @@ inline void store(void* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
 
 inline Lanes splat(float value) { return Lanes{value, value, value, value}; }
 
+/// The number at p in every lane, in one instruction where there is one.
+inline Lanes loadSplat(const float* p) {
+#if defined(__wasm_simd128__)
+  return (Lanes)wasm_v128_load32_splat(p);
+#else
+  return splat(*p);
+#endif
+}
+
 /// A point or vector in single precision: xyz and a spare lane.
 struct alignas(16) LaneRow {
   float x = 0, y = 0, z = 0, spare = 0;
