@@ -49,6 +49,8 @@ inline DoubleLanes toDouble(Lanes v) { return __builtin_convertvector(v, DoubleL
 
 inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return (Lanes)(((LaneMask)yes & mask) | ((LaneMask)no & ~mask)); }
 
+inline LaneMask select(LaneMask mask, LaneMask yes, LaneMask no) { return (yes & mask) | (no & ~mask); }
+
 /// Zero where the mask is not set.
 inline Lanes keep(LaneMask mask, Lanes v) { return (Lanes)((LaneMask)v & mask); }
 

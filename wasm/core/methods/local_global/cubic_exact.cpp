@@ -112,7 +112,7 @@ bool CubicExact::solveCertified(const CubicVertex& vertex, Vec3& u, Mat3& R) {
   R = fitRotation(vertex.pulled(u), before);
   if (climb(vertex, u, R)) return true;
 
-  R = searchCubic(vertex, before);
+  R = searchCubic(PolyhedralVertex(vertex), before);
   u = (R * vertex.n).unaryExpr([](double s) { return std::abs(s) < kRounding ? 0 : std::copysign(1.0, s); });
   return false;
 }
