@@ -66,11 +66,12 @@ async function run(
 ): Promise<void> {
   const { files } = command;
   const steps = await stepsOf(command);
+  const recipe = command.kind === 'recipe' ? command.recipe : undefined;
   const progress = new Progress(stderr, files.quiet);
   const engine = openEngine();
   let report: RunReport;
   try {
-    report = await runJob(engine, { steps, files, progress, signal });
+    report = await runJob(engine, { steps, recipe, files, progress, signal });
   } finally {
     progress.clear();
     engine.dispose();

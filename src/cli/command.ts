@@ -70,7 +70,13 @@ function parseRun(words: readonly string[]): Command {
 
 function parseMethod(method: MethodDescriptor, words: readonly string[]): Command {
   const names = new Map(method.parameters.map(({ name }) => [flagOf(name), name]));
-  const flags = parseFlags(words, { values: [...names.keys(), ...runValues], switches: runSwitches });
+  const isFlag = (flag: string) =>
+    method.parameters.some(({ name, kind }) => kind === 'flag' && flagOf(name) === flag);
+  const flags = parseFlags(words, {
+    values: [...[...names.keys()].filter((flag) => !isFlag(flag)), ...runValues],
+    flags: [...names.keys()].filter(isFlag),
+    switches: runSwitches,
+  });
   if (flags.switches.has('help')) return { kind: 'help', method };
   const values = new Map<string, string>();
   for (const [flag, value] of flags.values) {

@@ -8,6 +8,15 @@ export interface Flags {
   readonly rest: readonly string[];
 }
 
+/** Names without dashes. */
+interface Known {
+  readonly values: readonly string[];
+  /** Written alone. */
+  readonly switches: readonly string[];
+  /** Written alone for true, or with `=true` or `=false`. */
+  readonly flags?: readonly string[];
+}
+
 /** Flags that every command understands. */
 export const commonFlags = { values: [] as readonly string[], switches: ['help'] as readonly string[] };
 
@@ -18,10 +27,7 @@ export const commonFlags = { values: [] as readonly string[], switches: ['help']
  * @param known names without dashes
  * @throws UsageError
  */
-export function parseFlags(
-  words: readonly string[],
-  known: { readonly values: readonly string[]; readonly switches: readonly string[] },
-): Flags {
+export function parseFlags(words: readonly string[], known: Known): Flags {
   const values = new Map<string, string>();
   const switches = new Set<string>();
   const rest: string[] = [];
@@ -34,6 +40,7 @@ export function parseFlags(
     } else {
       const [name, given] = splitFlag(word);
       if (known.switches.includes(name) && given === undefined) switches.add(name);
+      else if (known.flags?.includes(name)) setOnce(values, name, given ?? 'true');
       else if (known.values.includes(name)) setOnce(values, name, given ?? queue.shift());
       else throw unknownFlag(word, name, known);
     }
@@ -54,8 +61,8 @@ function setOnce(values: Map<string, string>, name: string, value: string | unde
   values.set(name, value);
 }
 
-function unknownFlag(word: string, name: string, known: Parameters<typeof parseFlags>[1]): UsageError {
+function unknownFlag(word: string, name: string, known: Known): UsageError {
   if (known.switches.includes(name)) return new UsageError(`--${name} takes no value, so write it alone.`);
-  const names = [...known.values, ...known.switches].map((flag) => `--${flag}`);
+  const names = [...known.values, ...(known.flags ?? []), ...known.switches].map((flag) => `--${flag}`);
   return new UsageError(`there is no flag ${word} here.${didYouMean(`--${name}`, names)}`);
 }

@@ -41,7 +41,7 @@ export function methodsHelp(): string {
 
 function parameterHelp(parameter: ParameterDescriptor): string {
   const { value, range } = valueHelp(parameter);
-  return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(28)}${range}\n      ${parameter.doc}\n`;
+  return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(33)}${range}\n      ${parameter.doc}\n`;
 }
 
 function valueHelp(parameter: ParameterDescriptor): { value: string; range: string } {
@@ -54,6 +54,15 @@ function valueHelp(parameter: ParameterDescriptor): { value: string; range: stri
     }
     case 'choice':
       return { value: 'NAME', range: `${parameter.choices.join(' | ')}, default ${parameter.default}` };
+    case 'flag':
+      return { value: '', range: `alone for true, or =true, =false; default ${parameter.default}` };
+    case 'scalars':
+      return {
+        value: 'FILE.json',
+        range: `[number, …] from ${parameter.min} to ${parameter.max}, default none`,
+      };
+    case 'style':
+      return { value: 'NAME|FILE', range: `default ${parameter.default}` };
     case 'handles':
       return { value: 'FILE.json', range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none' };
   }

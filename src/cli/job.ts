@@ -7,9 +7,12 @@ import { readBytes, requireFolderOf, writeWhole } from './files.ts';
 import { at, UsageError } from './problems.ts';
 import type { Progress } from './progress.ts';
 import { inputReport, type RunReport, type StepReport, stepReport } from './report.ts';
+import { withStyle } from './style.ts';
 
 export interface Job {
   readonly steps: readonly RecipeStep[];
+  /** The recipe's file, if there is one: the styles that it names lie beside it. */
+  readonly recipe?: string | undefined;
   readonly files: RunFiles;
   readonly progress: Progress;
   /** Aborts: before the first iteration the job rejects with the reason, later it keeps what it has. */
@@ -21,7 +24,8 @@ export interface Job {
  *
  * @throws UsageError, FileError, WhittleError; their messages begin with the file
  */
-export async function runJob(engine: Engine, { steps, files, progress, signal }: Job): Promise<RunReport> {
+export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
+  const { files, progress, signal } = job;
   const { input, out } = files;
   requireFormat(out);
   for (const path of [out, files.report]) if (path !== undefined) await requireFolderOf(path);
@@ -32,7 +36,7 @@ export async function runJob(engine: Engine, { steps, files, progress, signal }:
   const { mesh, format, warnings } = await engine.read(source, input, { signal });
   const readMilliseconds = reading();
 
-  const result = await runSteps(engine, mesh, { steps, files, progress, signal });
+  const result = await runSteps(engine, mesh, job);
   result.reports[0]!.milliseconds.read = readMilliseconds;
   result.reports[0]!.warnings.unshift(...warnings);
 
@@ -60,10 +64,12 @@ async function runSteps(engine: Engine, mesh: Mesh, job: Job): Promise<StepsResu
   const reports: StepReport[] = [];
   let current = mesh;
   let input: RunReport['input'] | undefined;
-  for (const [index, { method, parameters }] of steps.entries()) {
+  for (const [index, step] of steps.entries()) {
+    const { method } = step;
     const place = steps.length === 1 ? files.input : `${files.input}, step ${index + 1} (${method})`;
     const onFrame = progress.follow(steps.length === 1 ? method : `step ${index + 1}: ${method}`);
     const loading = stopwatch();
+    const parameters = await withStyle(engine, step, job.recipe);
     const meshReport = await at(place, engine.inspect(current, index === 0 ? { signal } : {}));
     const loadMilliseconds = loading();
     input ??= inputReport(meshReport);

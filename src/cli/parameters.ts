@@ -20,7 +20,7 @@ export async function readParameters(
   for (const descriptor of method.parameters) {
     const text = typed.get(descriptor.name);
     if (text === undefined || isFile(descriptor)) continue;
-    values[descriptor.name] = isNumber(descriptor) ? numberOf(text) : text;
+    values[descriptor.name] = plainValue(descriptor, text);
     const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
     if (problem) throw new UsageError(`--${flagOf(descriptor.name)}: ${problem.message}`);
   }
@@ -37,11 +37,13 @@ export async function readParameters(
 
 /** Parameters that are typed as the name of a JSON file. */
 export function isFile({ kind }: ParameterDescriptor): boolean {
-  return kind === 'handles';
+  return kind === 'handles' || kind === 'scalars';
 }
 
-function isNumber({ kind }: ParameterDescriptor): boolean {
-  return kind === 'number' || kind === 'integer';
+/** What does not look right stays text, for the check to quote. */
+function plainValue({ kind }: ParameterDescriptor, text: string): number | boolean | string {
+  if (kind === 'flag') return text === 'true' || text === 'false' ? text === 'true' : text;
+  return kind === 'number' || kind === 'integer' ? numberOf(text) : text;
 }
 
 /** What is no number stays text, for the check to quote. */

@@ -1,6 +1,7 @@
 import { type FailureCode, WhittleError } from '../mesh/failure.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
-import type { Handles, ParameterValues } from '../methods/descriptor.ts';
+import type { Handles, ParameterValues, Scalars } from '../methods/descriptor.ts';
+import type { GaussMap } from '../methods/gauss-map.ts';
 import type { Outcome } from './protocol.ts';
 
 /** What one step of a session says. */
@@ -16,7 +17,8 @@ export interface Step {
 export interface CoreSession {
   /** Validates and takes a welded mesh (#V×3, #F×3); forgets all that was there. */
   load(positions: Float64Array, triangles: Uint32Array): MeshReport;
-  /** Chooses a method and its parameters (absent: default); handles name welded vertices. Keeps the current positions. */
+  /** Chooses a method and its parameters (absent: default); handles and numbers by vertex are those of welded
+   *  vertices, a style is a Gauss map. Keeps the current positions. */
   configure(method: string, parameters: ParameterValues): void;
   /** Goes back to the rest positions. */
   restart(): void;
@@ -35,7 +37,7 @@ export interface CoreParameter {
   readonly kind: string;
   readonly invalidates: string;
   /** Of a choice, the name. */
-  readonly default?: number | string;
+  readonly default?: number | string | boolean;
   readonly min?: number;
   readonly max?: number;
   /** Names of a choice; it crosses to the core as the index of one. */
@@ -68,6 +70,18 @@ interface WasmModule {
   _whittle_report(session: number, numbers: number): void;
   _whittle_select(session: number, method: number): number;
   _whittle_set_number(session: number, parameter: number, value: number): number;
+  _whittle_set_scalars(session: number, parameter: number, values: number, count: number): number;
+  _whittle_set_style(
+    session: number,
+    parameter: number,
+    kind: number,
+    normals: number,
+    normalCount: number,
+    points: number,
+    pointCount: number,
+    triangles: number,
+    triangleCount: number,
+  ): number;
   _whittle_set_handles(session: number, vertices: number, targets: number, count: number): number;
   _whittle_restart(session: number): void;
   _whittle_prepare(session: number): number;
@@ -175,10 +189,15 @@ class WasmSession implements CoreSession {
     this.#check(this.#withString(method, (name) => this.#module._whittle_select(this.#handle, name)));
     const info = this.#methods().find((candidate) => candidate.id === method)!;
     for (const parameter of info.parameters) {
+      const given = parameters[parameter.name];
       if (parameter.kind === 'handles') {
-        this.#setHandles(parameters[parameter.name] as Handles | undefined);
+        this.#setHandles(given as Handles | undefined);
+      } else if (parameter.kind === 'scalars') {
+        this.#setScalars(parameter.name, given as Scalars | undefined);
+      } else if (parameter.kind === 'style') {
+        this.#setStyle(parameter.name, given as GaussMap | undefined);
       } else {
-        const value = parameters[parameter.name] ?? parameter.default;
+        const value = given ?? parameter.default;
         const index = parameter.choices?.indexOf(String(value)); // -1 is outside the range: the core refuses it
         this.#setNumber(parameter.name, index ?? Number(value));
       }
@@ -221,6 +240,27 @@ class WasmSession implements CoreSession {
     );
   }
 
+  #setScalars(name: string, given: Scalars = []): void {
+    const values = Float64Array.from(given);
+    const set = (valuesAt: number) =>
+      this.#withString(name, (nameAt) =>
+        this.#module._whittle_set_scalars(this.#handle, nameAt, valuesAt, values.length),
+      );
+    this.#check(this.#heap.withCopies([values], set));
+  }
+
+  #setStyle(name: string, style?: GaussMap): void {
+    const { normals, points, triangles, kind } = flatStyle(style);
+    const set = (normalsAt: number, pointsAt: number, trianglesAt: number) =>
+      this.#withString(name, (nameAt) =>
+        this.#module._whittle_set_style(
+          ...([this.#handle, nameAt, kind, normalsAt, normals.length / 3] as const),
+          ...([pointsAt, points.length / 3, trianglesAt, triangles.length / 3] as const),
+        ),
+      );
+    this.#check(this.#heap.withCopies([normals, points, triangles], set));
+  }
+
   #setHandles(handles: Handles = { vertices: [], targets: [] }): void {
     const vertices = Int32Array.from(handles.vertices);
     const targets = Float64Array.from(handles.targets.flat());
@@ -259,4 +299,14 @@ class WasmSession implements CoreSession {
     const element = this.#module._whittle_element(this.#handle);
     throw new WhittleError(name, message, element < 0 ? undefined : element);
   }
+}
+
+/** A style as the C interface takes it: kind 0, 1, 2, or -1 for none. */
+function flatStyle(style?: GaussMap) {
+  const points = style?.kind === 'sphere' ? style.points : new Float64Array();
+  const triangles = style?.kind === 'sphere' ? style.triangles : new Uint32Array();
+  const normals = style?.normals ?? new Float64Array();
+  if (!style) return { kind: -1, normals, points, triangles };
+  const kind = style.kind === 'closest' ? 0 : style.per === 'vertex' ? 1 : 2;
+  return { kind, normals, points, triangles };
 }

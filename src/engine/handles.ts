@@ -1,13 +1,14 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { WeldedMesh } from '../mesh/weld.ts';
-import type { Handles, MethodDescriptor, ParameterValues } from '../methods/descriptor.ts';
+import type { Handles, MethodDescriptor, ParameterValues, Scalars } from '../methods/descriptor.ts';
 
 type Point = Handles['targets'][number];
 
 /**
- * Parameters as the core takes them: handles name welded vertices, everything else stays.
+ * Parameters as the core takes them: handles and numbers by vertex are those of welded vertices, everything else stays.
  *
- * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place
+ * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place;
+ *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style
  */
 export function toWelded(
   method: MethodDescriptor,
@@ -18,8 +19,40 @@ export function toWelded(
   for (const { name, kind } of method.parameters) {
     const value = parameters[name];
     if (kind === 'handles' && value !== undefined) welded[name] = weldHandles(name, value as Handles, mesh);
+    if (kind === 'scalars' && value !== undefined) welded[name] = weldScalars(name, value as Scalars, mesh);
+    if (kind === 'style' && typeof value === 'string') throw unresolvedStyle(name, value);
   }
   return welded;
+}
+
+/** Places that the file stores several times have the mean of their numbers. */
+function weldScalars(
+  name: string,
+  values: Scalars,
+  { vertexOfPosition, positions }: WeldedMesh,
+): Float64Array {
+  const count = vertexOfPosition.length;
+  if (values.length === 0) return new Float64Array();
+  if (values.length !== count) {
+    throw new WhittleError(
+      'bad-parameter',
+      `“${name}” has ${values.length} numbers, but the file has ${count} vertices; give one for each, in the file’s order.`,
+    );
+  }
+  const sums = new Float64Array(positions.length / 3);
+  const visits = new Float64Array(sums.length);
+  vertexOfPosition.forEach((vertex, position) => {
+    sums[vertex]! += values[position]!;
+    visits[vertex]! += 1;
+  });
+  return sums.map((sum, vertex) => sum / visits[vertex]!);
+}
+
+function unresolvedStyle(name: string, value: string): WhittleError {
+  return new WhittleError(
+    'bad-parameter',
+    `“${name}” is the name “${value}”, but the engine takes the style itself; make a Gauss map of it with resolveStyle first.`,
+  );
 }
 
 /** Handles that say the same of the same place become one; positions that the file stores twice can only move together. */

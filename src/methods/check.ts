@@ -1,4 +1,4 @@
-import type { Handles, MethodDescriptor, ParameterDescriptor } from './descriptor.ts';
+import type { Handles, MethodDescriptor, ParameterDescriptor, ScalarsParameter } from './descriptor.ts';
 import { didYouMean } from './suggest.ts';
 
 /** What is wrong with a value, as data; recipe, engine and command line make their own error of it. */
@@ -58,6 +58,14 @@ function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterP
         name,
         `“${name}” must be one of ${descriptor.choices.join(', ')}, not ${show(value)}.`,
       );
+    case 'flag':
+      if (typeof value === 'boolean') return undefined;
+      return problem('bad-parameter', name, `“${name}” must be true or false, not ${show(value)}.`);
+    case 'scalars':
+    case 'style': {
+      const what = descriptor.kind === 'style' ? styleProblem(value) : scalarsProblem(descriptor, value);
+      return what === undefined ? undefined : problem('bad-parameter', name, `“${name}” ${what}`);
+    }
     case 'handles': {
       const what = handlesProblem(value);
       return what === undefined ? undefined : problem('bad-handles', name, `“${name}” ${what}`);
@@ -67,6 +75,29 @@ function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterP
       throw new Error(`no check for ${JSON.stringify(unhandled)}`);
     }
   }
+}
+
+function scalarsProblem({ min, max }: ScalarsParameter, value: unknown): string | undefined {
+  if (!Array.isArray(value) && !(value instanceof Float64Array)) {
+    return `must be a list of numbers from ${min} to ${max}, one for each vertex, not ${show(value)}.`;
+  }
+  const isNumber = (entry: unknown): boolean =>
+    Number.isFinite(entry) && (entry as number) >= min && (entry as number) <= max;
+  const bad = (value as readonly unknown[]).findIndex((entry) => !isNumber(entry));
+  return bad < 0
+    ? undefined
+    : `must hold numbers from ${min} to ${max}; entry ${bad} is ${show(value[bad])}.`;
+}
+
+/** Whether its numbers make sense is for the core. */
+function styleProblem(value: unknown): string | undefined {
+  if (typeof value === 'string' && value !== '') return undefined;
+  const { kind, normals, points, triangles, per } = (value ?? {}) as Partial<Record<string, unknown>>;
+  const hasNormals = normals instanceof Float64Array && normals.length % 3 === 0;
+  if (kind === 'closest' && hasNormals) return undefined;
+  const hasSphere = points instanceof Float64Array && triangles instanceof Uint32Array;
+  if (kind === 'sphere' && hasNormals && hasSphere && (per === 'vertex' || per === 'face')) return undefined;
+  return `must name a primitive, a style mesh or a file, or be a Gauss map, not ${show(value)}.`;
 }
 
 /** The rest of a sentence that begins with the parameter's name. */

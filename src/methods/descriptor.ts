@@ -1,3 +1,5 @@
+import type { GaussMap } from './gauss-map.ts';
+
 /** What a change of a parameter makes the core recompute; each includes those before it. */
 export type Invalidates = 'targets' | 'weights' | 'system' | 'all';
 
@@ -29,6 +31,32 @@ export interface ChoiceParameter extends Parameter {
   readonly kind: 'choice';
   readonly default: string;
   readonly choices: readonly string[];
+  /** Says how another parameter's value is made out; the core does not know it. */
+  readonly isForLibrary?: boolean;
+}
+
+/** Something that is done or not. */
+export interface FlagParameter extends Parameter {
+  readonly kind: 'flag';
+  readonly default: boolean;
+}
+
+/** A number for each vertex of the source file's position list: a {@link Scalars} value. Absent or empty means none. */
+export interface ScalarsParameter extends Parameter {
+  readonly kind: 'scalars';
+  /** Hard range of each number, inclusive. */
+  readonly min: number;
+  readonly max: number;
+}
+
+/**
+ * A style. In a recipe or on the command line a {@link StyleName}, which `resolveStyle` of `src/styles` turns into the
+ * {@link GaussMap} that the engine takes.
+ */
+export interface StyleParameter extends Parameter {
+  readonly kind: 'style';
+  /** What page and command line take when nothing is said; the engine itself has none. */
+  readonly default: string;
 }
 
 /** Vertices held at given places: a {@link Handles} value. Absent means none. */
@@ -36,7 +64,13 @@ export interface HandlesParameter extends Parameter {
   readonly kind: 'handles';
 }
 
-export type ParameterDescriptor = NumberParameter | ChoiceParameter | HandlesParameter;
+export type ParameterDescriptor =
+  | NumberParameter
+  | ChoiceParameter
+  | FlagParameter
+  | ScalarsParameter
+  | StyleParameter
+  | HandlesParameter;
 
 /** A method as page, recipe, command line and element see it. */
 export interface MethodDescriptor {
@@ -54,6 +88,12 @@ export interface Handles {
   readonly targets: readonly (readonly [number, number, number])[];
 }
 
-export type ParameterValue = number | string | Handles;
+/** A number for each vertex, by the source file's position list. */
+export type Scalars = readonly number[] | Float64Array;
+
+/** A primitive ('cube'), a style mesh ('oloid') or the path of a mesh file. */
+export type StyleName = string;
+
+export type ParameterValue = number | string | boolean | Scalars | GaussMap | Handles;
 /** Values by parameter name; what is absent has its default. */
 export type ParameterValues = Readonly<Record<string, ParameterValue>>;

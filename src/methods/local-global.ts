@@ -1,4 +1,11 @@
-import type { ChoiceParameter, HandlesParameter, MethodDescriptor, NumberParameter } from './descriptor.ts';
+import type {
+  ChoiceParameter,
+  HandlesParameter,
+  MethodDescriptor,
+  NumberParameter,
+  ParameterDescriptor,
+  ScalarsParameter,
+} from './descriptor.ts';
 
 const handles: HandlesParameter = {
   name: 'handles',
@@ -56,12 +63,43 @@ const maxIterations: NumberParameter = {
   unit: '',
 };
 
+/** What every local/global method ends its list with. */
+export const shared: readonly ParameterDescriptor[] = [
+  handles,
+  acceleration,
+  stopOn,
+  tolerance,
+  maxIterations,
+];
+
+export const regularizer: ChoiceParameter = {
+  name: 'regularizer',
+  kind: 'choice',
+  label: 'Keeps',
+  doc: 'What details keep: arap their shape around each vertex, farap that of each triangle while edges bend, acap their angles while sizes may change (2021, §4.1).',
+  invalidates: 'all',
+  advanced: true,
+  default: 'arap',
+  choices: ['arap', 'farap', 'acap'],
+};
+
+export const lambdaPerVertex: ScalarsParameter = {
+  name: 'lambdaPerVertex',
+  kind: 'scalars',
+  label: 'Strength by vertex',
+  doc: 'λ of each vertex of the file’s position list, in place of the one λ; places that the file stores twice get the mean.',
+  invalidates: 'weights',
+  advanced: true,
+  min: 0,
+  max: 100,
+};
+
 export const arap: MethodDescriptor = {
   id: 'arap',
   title: 'As rigid as possible',
   summary: 'Move handles and let the rest follow with as little stretching as possible.',
   paper: 'Sorkine and Alexa 2007, spokes and rims of Chao et al. 2010',
-  parameters: [handles, acceleration, stopOn, tolerance, maxIterations],
+  parameters: [regularizer, ...shared],
 };
 
 export const cubic: MethodDescriptor = {
@@ -82,6 +120,7 @@ export const cubic: MethodDescriptor = {
       unit: '',
       slider: { min: 0, max: 2, step: 0.01 },
     },
+    lambdaPerVertex,
     {
       name: 'polyhedron',
       kind: 'choice',
@@ -101,10 +140,6 @@ export const cubic: MethodDescriptor = {
       default: 'exact',
       choices: ['exact', 'admm'],
     },
-    handles,
-    acceleration,
-    stopOn,
-    tolerance,
-    maxIterations,
+    ...shared,
   ],
 };

@@ -50,9 +50,15 @@ export function parseRecipe(text: string, fileName: string): Recipe {
 
 /** The recipe as text, one step a line, to be read again by {@link parseRecipe}. */
 export function formatRecipe({ steps }: Recipe): string {
-  const lines = steps.map(({ method, parameters }) => `    ${JSON.stringify({ method, ...parameters })}`);
+  const lines = steps.map(
+    ({ method, parameters }) => `    ${JSON.stringify({ method, ...parameters }, plainArrays)}`,
+  );
   return `{\n  "whittle": ${version},\n  "steps": [\n${lines.join(',\n')}\n  ]\n}\n`;
 }
+
+/** JSON has no typed arrays. */
+const plainArrays = (_: string, value: unknown): unknown =>
+  value instanceof Float64Array ? [...value] : value;
 
 function parseStep(step: unknown, place: string, index: number): RecipeStep {
   if (!isObject(step)) throw bad(place, 'a step is an object such as {"method": "cubic"}.', index);

@@ -11,7 +11,7 @@ const typescriptArrows: Record<string, string[]> = {
   'src/recipe': ['src/methods', 'src/mesh'],
   'src/engine': ['src/io', 'src/methods', 'src/mesh', 'wasm/dist'],
   'src/viewer': ['src/mesh'],
-  'src/cli': ['src/engine', 'src/recipe', 'src/io', 'src/methods', 'src/mesh'],
+  'src/cli': ['src/engine', 'src/recipe', 'src/io', 'src/styles', 'src/methods', 'src/mesh'],
   web: ['src/engine', 'src/viewer', 'src/recipe', 'src/methods', 'src/mesh', 'src/io'],
 };
 

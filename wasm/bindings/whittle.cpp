@@ -39,6 +39,19 @@ int whittle_set_number(WhittleSession* session, const char* parameter, double va
   return session->keep(session->session.setNumber(parameter, value));
 }
 
+int whittle_set_scalars(WhittleSession* session, const char* parameter, const double* values, int32_t count) {
+  return session->keep(session->session.setScalars(parameter, Eigen::Map<const Scalars>(values, count)));
+}
+
+int whittle_set_style(WhittleSession* session, const char* parameter, int32_t kind, const double* normals, int32_t normal_count,
+                      const double* points, int32_t point_count, const int32_t* triangles, int32_t triangle_count) {
+  if (kind < 0 || kind > 2) return session->keep(session->session.setStyle(parameter, std::nullopt));
+  return session->keep(session->session.setStyle(
+      parameter, GaussMapData{static_cast<GaussMapData::Kind>(kind), Eigen::Map<const Points>(normals, normal_count, 3),
+                              Eigen::Map<const Points>(points, point_count, 3),
+                              Eigen::Map<const Triangles>(triangles, triangle_count, 3)}));
+}
+
 int whittle_set_handles(WhittleSession* session, const int32_t* vertices, const double* targets, int32_t count) {
   return session->keep(session->session.setHandles(
       {std::vector<Index>(vertices, vertices + count), Eigen::Map<const Points>(targets, count, 3)}));

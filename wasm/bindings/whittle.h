@@ -30,8 +30,15 @@ WHITTLE_API int whittle_load(WhittleSession* session, const double* positions, i
 WHITTLE_API void whittle_report(const WhittleSession* session, double* numbers);
 
 WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
-/// Sets a number, or a choice by the index of its name.
+/// Sets a number, a choice by the index of its name, or a flag as 0 or 1.
 WHITTLE_API int whittle_set_number(WhittleSession* session, const char* parameter, double value);
+/// Sets a number for each vertex; count 0 unsets them.
+WHITTLE_API int whittle_set_scalars(WhittleSession* session, const char* parameter, const double* values, int32_t count);
+/// Sets a style. Kind 0: the closest of #normals×3. Kind 1: points #points×3 on the sphere, triangles #triangles×3, a normal for each
+/// point; kind 2: a normal for each triangle. Any other kind: none.
+WHITTLE_API int whittle_set_style(WhittleSession* session, const char* parameter, int32_t kind, const double* normals,
+                                  int32_t normal_count, const double* points, int32_t point_count, const int32_t* triangles,
+                                  int32_t triangle_count);
 /// Holds `count` vertices at targets (#count×3, file units); count 0 frees all.
 WHITTLE_API int whittle_set_handles(WhittleSession* session, const int32_t* vertices, const double* targets, int32_t count);
 

@@ -36,7 +36,7 @@ export function commandLine(document: WhittleDocument): string {
   const descriptor = methods.find(({ id }) => id === method);
   const flags = (descriptor?.parameters ?? []).flatMap((parameter) => {
     const value = parameters[parameter.name];
-    if (parameter.kind === 'handles' || value === undefined || value === parameter.default) return [];
+    if (!('default' in parameter) || value === undefined || value === parameter.default) return [];
     return [`--${kebab(parameter.name)}`, String(value)];
   });
   const out = exportName(document, ownFormat(document));

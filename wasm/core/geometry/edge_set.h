@@ -31,10 +31,21 @@ class EdgeSet {
   virtual double gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
                                    std::vector<LaneRow>& residual) const = 0;
 
-  /// Adds the part of the turns, Σ (R_k − I) g: the residual is then b − L V, which is the energy's downhill gradient over twice
-  /// the number of elements that see each face. Written in changes it is exactly zero at rest.
-  virtual void addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const = 0;
+  /// Adds the part of the turns, Σ (s_k R_k − I) g: the residual is then b − L V, which is the energy's downhill gradient over
+  /// twice the number of elements that see each face. Written in changes it is exactly zero at rest.
+  /// @param growths s_k − 1 where the energy lets its elements grow, Σ c_e |s_k R_k d_e − u_e|²; empty where all s_k are 1
+  virtual void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+                          std::vector<LaneRow>& residual) const = 0;
+  /// The same without scales.
+  void addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const {
+    addSimilar(rotations, {}, residual);
+  }
 };
+
+/// s R − I of one batch.
+inline MatrixLanes turnAt(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths, std::size_t batch) {
+  return growths.empty() ? turnOf(rotations[batch]) : turnOf(rotations[batch], growths[batch]);
+}
 
 std::unique_ptr<EdgeSet> makeEdgeSet(EdgeSetKind kind, const TriangleMesh& rest, const CornerScalars& halfCotangents);
 

@@ -55,10 +55,11 @@ double FaceEdges::gatherCovariances(const Points& output, std::vector<Covariance
   return restEnergy_ + outputEnergy;
 }
 
-void FaceEdges::addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const {
+void FaceEdges::addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+                           std::vector<LaneRow>& residual) const {
   const Index faceCount = elementCount();
   for (Index f = 0; f < faceCount; f += 4) {
-    const MatrixLanes R = turnOf(rotations[f / 4]);
+    const MatrixLanes R = turnAt(rotations, growths, f / 4);
     for (Index lane = 0; lane < std::min<Index>(4, faceCount - f); ++lane) {
       const auto column = [&](int c) { return Lanes{R.m[0][c][lane], R.m[1][c][lane], R.m[2][c][lane], 0}; };
       const Lanes x = column(0), y = column(1), z = column(2);

@@ -13,7 +13,8 @@ class FaceEdges : public EdgeSet {
   Index elementCount() const override { return triangles_.rows(); }
   double gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
                            std::vector<LaneRow>& residual) const override;
-  void addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const override;
+  void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+                  std::vector<LaneRow>& residual) const override;
 
  private:
   const Triangles& triangles_;

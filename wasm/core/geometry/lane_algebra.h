@@ -86,6 +86,16 @@ inline MatrixLanes turnOf(const QuaternionLanes& q) {
   return {{{-(yy + zz), xy - wz, xz + wy}, {xy + wz, -(xx + zz), yz - wx}, {xz - wy, yz + wx, -(xx + yy)}}};
 }
 
+/// s R − I for a scale s = 1 + growth, exactly zero for the identity without growth.
+inline MatrixLanes turnOf(const QuaternionLanes& q, Lanes growth) {
+  MatrixLanes turn = turnOf(q);
+  for (auto& row : turn.m) {
+    for (Lanes& entry : row) entry += growth * entry;
+  }
+  for (int i = 0; i < 3; ++i) turn.m[i][i] += growth;
+  return turn;
+}
+
 inline MatrixLanes toMatrix(const QuaternionLanes& q) {
   MatrixLanes R = turnOf(q);
   for (int i = 0; i < 3; ++i) R.m[i][i] += splat(1);

@@ -28,14 +28,47 @@ Scalars barycentricAreas(const Points& positions, const Triangles& triangles) {
   return areas;
 }
 
-Points vertexNormals(const Points& positions, const Triangles& triangles) {
-  Points normals = Points::Zero(positions.rows(), 3);
+Scalars mixedVoronoiAreas(const Points& positions, const Triangles& triangles) {
   Scalars areas = Scalars::Zero(positions.rows());
   for (Index f = 0; f < triangles.rows(); ++f) {
+    const double doubled = doubledAreaVector(positions, triangles, f).norm();
+    if (doubled == 0) continue;
+    Vec3 squares, dots;  // of the edge opposite to each corner, and of the two edges at it
+    for (int k = 0; k < 3; ++k) {
+      const auto at = [&](int corner) { return positions.row(triangles(f, (k + corner) % 3)); };
+      squares[k] = (at(2) - at(1)).squaredNorm();
+      dots[k] = (at(1) - at(0)).dot(at(2) - at(0));
+    }
+    for (int k = 0; k < 3; ++k) {
+      double share;
+      if (dots.minCoeff() < 0) {
+        share = dots[k] < 0 ? doubled / 4 : doubled / 8;
+      } else {
+        // ⅛ Σ cot(opposite angle) |edge|² over the two edges at the corner
+        share = (dots[(k + 1) % 3] * squares[(k + 1) % 3] + dots[(k + 2) % 3] * squares[(k + 2) % 3]) / (8 * doubled);
+      }
+      areas[triangles(f, k)] += share;
+    }
+  }
+  return areas;
+}
+
+Points vertexNormals(const Points& positions, const Triangles& triangles) {
+  Points normals(positions.rows(), 3);
+  Scalars areas(positions.rows());
+  vertexNormals(positions, triangles, normals, areas);
+  return normals;
+}
+
+void vertexNormals(const Points& positions, const Triangles& triangles, Points& normals, Scalars& areas) {
+  normals.setZero();
+  areas.setZero();
+  for (Index f = 0; f < triangles.rows(); ++f) {
     const Vec3 vector = doubledAreaVector(positions, triangles, f);
+    const double area = vector.norm();
     for (int k = 0; k < 3; ++k) {
       normals.row(triangles(f, k)) += vector.transpose();
-      areas[triangles(f, k)] += vector.norm();
+      areas[triangles(f, k)] += area;
     }
   }
   for (Index v = 0; v < normals.rows(); ++v) {
@@ -47,7 +80,18 @@ Points vertexNormals(const Points& positions, const Triangles& triangles) {
       normals.row(v).setZero();
     }
   }
+}
+
+Points faceNormals(const Points& positions, const Triangles& triangles) {
+  Points normals(triangles.rows(), 3);
+  faceNormals(positions, triangles, normals);
   return normals;
+}
+
+void faceNormals(const Points& positions, const Triangles& triangles, Points& normals) {
+  for (Index f = 0; f < triangles.rows(); ++f) {
+    normals.row(f) = doubledAreaVector(positions, triangles, f).stableNormalized().transpose();
+  }
 }
 
 }  // namespace whittle

@@ -113,10 +113,11 @@ double VertexRings::gatherCovariances(const Points& output, std::vector<Covarian
   return restEnergy_ + kVisits * outputEnergy;
 }
 
-void VertexRings::addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const {
+void VertexRings::addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+                             std::vector<LaneRow>& residual) const {
   const Index vertexCount = elementCount();
   for (Index k = 0; k < vertexCount; k += 4) {
-    const MatrixLanes R = turnOf(rotations[k / 4]);
+    const MatrixLanes R = turnAt(rotations, growths, k / 4);
     Lanes columns[3][4];
     for (int c = 0; c < 3; ++c) {
       columns[c][0] = R.m[0][c], columns[c][1] = R.m[1][c], columns[c][2] = R.m[2][c], columns[c][3] = splat(0);

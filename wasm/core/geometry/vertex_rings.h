@@ -13,7 +13,8 @@ class VertexRings : public EdgeSet {
   Index elementCount() const override { return static_cast<Index>(start_.size()) - 1; }
   double gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
                            std::vector<LaneRow>& residual) const override;
-  void addRotated(const std::vector<QuaternionLanes>& rotations, std::vector<LaneRow>& residual) const override;
+  void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+                  std::vector<LaneRow>& residual) const override;
 
  private:
   typedef double Pair __attribute__((vector_size(16)));

@@ -4,13 +4,14 @@
 
 #include "methods/local_global/arap.h"
 #include "methods/local_global/cubic.h"
+#include "methods/local_global/normal_driven.h"
 #include "methods/spherical/conformal_flow.h"
 
 namespace whittle {
 
 namespace {
 
-constexpr const char* kKindNames[] = {"number", "integer", "choice", "handles"};
+constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag", "scalars", "style", "handles"};
 constexpr const char* kStaleNames[] = {"nothing", "targets", "weights", "system", "all"};
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
@@ -28,8 +29,11 @@ std::string describe(const ParameterInfo& info) {
     json += ",\"default\":" + quoted(info.choices[static_cast<std::size_t>(info.defaultValue)]) + ",\"choices\":[";
     for (std::size_t c = 0; c < info.choices.size(); ++c) json += (c ? "," : "") + quoted(info.choices[c]);
     json += "]";
-  } else if (info.kind != ParameterKind::handles) {
-    json += ",\"default\":" + number(info.defaultValue) + ",\"min\":" + number(info.min) + ",\"max\":" + number(info.max);
+  } else if (info.kind == ParameterKind::flag) {
+    json += info.defaultValue != 0 ? ",\"default\":true" : ",\"default\":false";
+  } else if (info.kind != ParameterKind::handles && info.kind != ParameterKind::style) {
+    if (info.isNumber()) json += ",\"default\":" + number(info.defaultValue);
+    json += ",\"min\":" + number(info.min) + ",\"max\":" + number(info.max);
   }
   return json + "}";
 }
@@ -37,7 +41,7 @@ std::string describe(const ParameterInfo& info) {
 }  // namespace
 
 const std::vector<MethodInfo>& methodRegistry() {
-  static const std::vector<MethodInfo> methods = {cubicMethod(), arapMethod(), sphericalMethod()};
+  static const std::vector<MethodInfo> methods = {cubicMethod(), analogyMethod(), arapMethod(), sphericalMethod()};
   return methods;
 }
 

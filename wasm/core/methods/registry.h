@@ -14,7 +14,7 @@ const MethodInfo* findMethod(const std::string& id);
 
 /// The registry as JSON, for TypeScript to hold against its descriptors:
 /// [{"id", "parameters": [{"name", "kind", "invalidates", "default", "min", "max", "choices"}]}], each only where it applies; the
-/// default of a choice is its name.
+/// default of a choice is its name, that of a flag true or false.
 std::string describeMethods();
 
 }  // namespace whittle

@@ -36,18 +36,53 @@ Status Session::requireMethod() const {
   return info_ ? Status{} : Status::failure(Code::unknownMethod, "no method is chosen");
 }
 
-Status Session::setNumber(const std::string& parameter, double value) {
+template <typename Fits>
+Status Session::find(const std::string& parameter, Fits fits, std::size_t& place) const {
   if (Status status = requireMethod(); !status.ok()) return status;
-  for (std::size_t p = 0; p < info_->parameters.size(); ++p) {
-    const ParameterInfo& info = info_->parameters[p];
-    if (parameter != info.name || info.kind == ParameterKind::handles) continue;
-    Status status = validateNumber(info, value);
-    if (!status.ok() || settings_.numbers[p] == value) return status;
-    settings_.numbers[p] = value;
-    markStale(info.invalidates);
-    return {};
+  for (place = 0; place < info_->parameters.size(); ++place) {
+    const ParameterInfo& info = info_->parameters[place];
+    if (parameter == info.name && fits(info)) return {};
   }
-  return Status::failure(Code::badParameter, std::string(info_->id) + " has no parameter \"" + parameter + "\"");
+  return Status::failure(Code::badParameter, std::string(info_->id) + " has no parameter \"" + parameter + "\" of this kind");
+}
+
+Status Session::setNumber(const std::string& parameter, double value) {
+  std::size_t p;
+  if (Status status = find(parameter, [](const auto& info) { return info.isNumber(); }, p); !status.ok()) return status;
+  const ParameterInfo& info = info_->parameters[p];
+  Status status = validateNumber(info, value);
+  if (!status.ok() || settings_.numbers[p] == value) return status;
+  settings_.numbers[p] = value;
+  markStale(info.invalidates);
+  return {};
+}
+
+Status Session::setScalars(const std::string& parameter, const Scalars& values) {
+  std::size_t p;
+  const auto fits = [](const auto& info) { return info.kind == ParameterKind::scalars; };
+  if (Status status = find(parameter, fits, p); !status.ok()) return status;
+  const ParameterInfo& info = info_->parameters[p];
+  Status status = validateScalars(info, values, rest_.vertexCount());
+  if (!status.ok()) return status;
+  Scalars& present = settings_.scalars[p];
+  if (present.size() == values.size() && present == values) return {};
+  present = values;
+  markStale(info.invalidates);
+  return {};
+}
+
+Status Session::setStyle(const std::string& parameter, const std::optional<GaussMapData>& data) {
+  std::size_t p;
+  const auto fits = [](const auto& info) { return info.kind == ParameterKind::style; };
+  if (Status status = find(parameter, fits, p); !status.ok()) return status;
+  const bool isSame = settings_.style ? data && settings_.style->data() == *data : !data;
+  if (isSame) return {};
+  if (data) {
+    if (Status status = validateGaussMap(*data); !status.ok()) return status;
+  }
+  settings_.style = data ? std::make_shared<const GaussMap>(*data) : nullptr;
+  markStale(info_->parameters[p].invalidates);
+  return {};
 }
 
 Status Session::setHandles(Handles handles) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "mesh/unit_frame.h"
@@ -19,8 +20,12 @@ class Session {
 
   /// Chooses a method; its parameters get their defaults unless it was chosen already. Fails with `unknownMethod`.
   Status select(const std::string& method);
-  /// A number, or a choice by the index of its name. Fails with `badParameter`.
+  /// A number, a choice by the index of its name or a flag as 0 or 1. Fails with `badParameter`.
   Status setNumber(const std::string& parameter, double value);
+  /// A number for each vertex, or none. Fails with `badParameter`.
+  Status setScalars(const std::string& parameter, const Scalars& values);
+  /// A Gauss map, or none. Fails with `badParameter`.
+  Status setStyle(const std::string& parameter, const std::optional<GaussMapData>& data);
   /// Targets in the file's units. Fails with `badHandles`.
   Status setHandles(Handles handles);
 
@@ -36,6 +41,9 @@ class Session {
 
  private:
   Status requireMethod() const;
+  /// Finds the place of a parameter in the method's list, of one that `fits`. Fails with `badParameter`.
+  template <typename Fits>
+  Status find(const std::string& parameter, Fits fits, std::size_t& place) const;
   void markStale(Stale level) { stale_ = std::max(stale_, level); }
 
   Points filePositions_;  // #V×3, as loaded

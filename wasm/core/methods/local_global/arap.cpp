@@ -5,14 +5,24 @@
 
 namespace whittle {
 
+namespace {
+
+enum Parameter { kRegularizer, kOwnParameters };
+
+}  // namespace
+
+Rigidity ArapLocalStep::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
+
 Lanes ArapLocalStep::fit(std::size_t, const ScaledCovariances& covariances, bool, QuaternionLanes& rotations) {
   fitRotations(covariances, rotations);
   return splat(0);
 }
 
 MethodInfo arapMethod() {
-  return {"arap", withSharedParameters({}),
-          [] { return std::unique_ptr<Method>(std::make_unique<LocalGlobal>(std::make_unique<ArapLocalStep>(), 0)); }};
+  const auto create = []() -> std::unique_ptr<Method> {
+    return std::make_unique<LocalGlobal>(std::make_unique<ArapLocalStep>(), kOwnParameters);
+  };
+  return {"arap", withSharedParameters({rigidityParameter()}), create};
 }
 
 }  // namespace whittle

@@ -8,7 +8,8 @@ namespace whittle {
 /// As rigid as possible: no regularizer, each rotation is the plain Procrustes fit.
 class ArapLocalStep : public LocalStep {
  public:
-  void prepare(const RestShape&, const Settings&) override {}
+  Rigidity rigidity(const Settings& settings) const override;
+  Status prepare(const RestShape&, const Settings&) override { return {}; }
   Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 };
 

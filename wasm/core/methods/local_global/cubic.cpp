@@ -10,7 +10,7 @@ namespace whittle {
 
 namespace {
 
-enum Parameter { kLambda, kPolyhedron, kLocalStep, kOwnParameters };
+enum Parameter { kLambda, kLambdaPerVertex, kPolyhedron, kLocalStep, kOwnParameters };
 enum LocalStepChoice { kExact, kAdmm };
 
 /// Goes back to the guess in lanes where it is better.
@@ -28,15 +28,16 @@ void keepBetter(const CubicLanes& vertices, const Polyhedron& polyhedron, const 
 
 }  // namespace
 
-void CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
-  const double cubeness = settings.numbers[kLambda];  // λ, Eq. 1
+Status CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
+  const Scalars& own = settings.scalars[kLambdaPerVertex];
+  const auto cubeness = [&](Index v) { return own.size() ? own[v] : settings.numbers[kLambda]; };  // λ_i, Eq. 1
   const std::size_t batches = batchCount(rest.mesh.vertexCount());
   normals_.assign(batches, {splat(0), splat(0), splat(0)});
   weights_ = normals_;
   for (Index v = 0; v < rest.mesh.vertexCount(); ++v) {
     const Vec3 n = rest.normals.row(v).transpose();
     setVector(normals_[v / 4], v % 4, n);
-    if (!n.isZero(0)) setVector(weights_[v / 4], v % 4, Vec3::Constant(cubeness * rest.areas[v]));
+    if (!n.isZero(0)) setVector(weights_[v / 4], v % 4, Vec3::Constant(cubeness(v) * rest.areas[v]));
   }
   polyhedron_ = Polyhedron::named(static_cast<std::size_t>(settings.numbers[kPolyhedron]));
   if (static_cast<int>(settings.numbers[kLocalStep]) == kAdmm) {
@@ -47,6 +48,7 @@ void CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
     solver_ = std::make_unique<PolyhedralExact>(polyhedron_);
   }
   begin();
+  return {};
 }
 
 Lanes CubicLocalStep::fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) {
@@ -63,6 +65,7 @@ MethodInfo cubicMethod() {
   };
   return {"cubic",
           withSharedParameters({{"lambda", ParameterKind::number, Stale::weights, 0.2, 0, 100},
+                                {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 100},
                                 choiceParameter("polyhedron", Stale::weights, Polyhedron::names()),
                                 choiceParameter("localStep", Stale::weights, {"exact", "admm"})}),
           create};

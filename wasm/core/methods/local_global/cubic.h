@@ -13,7 +13,7 @@ namespace whittle {
 /// ADMM. Without cubeness or without a normal it is the plain fit.
 class CubicLocalStep : public LocalStep {
  public:
-  void prepare(const RestShape& rest, const Settings& settings) override;
+  Status prepare(const RestShape& rest, const Settings& settings) override;
   void begin() override { solver_->begin(weights_.size(), weights_); }
   Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 

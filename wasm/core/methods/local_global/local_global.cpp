@@ -16,6 +16,8 @@ constexpr double kNoMove = 1e-7;
 /// Share of the energy that the regularizers' single precision decides.
 constexpr double kRounding = 1e-8;
 
+const std::vector<Lanes> kNoGrowths;
+
 enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance, kMaxIterations };
 
 }  // namespace
@@ -37,18 +39,23 @@ Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, 
   stopping_.tolerance = shared[kTolerance];
   stopping_.maxIterations = static_cast<int>(shared[kMaxIterations]);
   handles_.targets = settings.handles.targets;
-  if (stale >= Stale::all) prepareRestShape(rest);
-  if (stale >= Stale::weights) localStep_->prepare(*rest_, settings);
+  if (stale >= Stale::all) prepareRestShape(rest, localStep_->rigidity(settings));
+  if (stale >= Stale::weights) {
+    if (Status status = localStep_->prepare(*rest_, settings); !status.ok()) return status;
+    if (scales_) scales_->prepare(*edges_, rest_->mesh.positions, localStep_->pullWeights());
+  }
   if (stale < Stale::system) return {};
   Status status = prepareSystem(settings.handles);
   if (status.ok() && stale >= Stale::all) claimRunningState();  // late: the factorization's memory is the peak
   return status;
 }
 
-void LocalGlobal::prepareRestShape(const TriangleMesh& rest) {
+void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) {
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
-  edges_ = makeEdgeSet(localStep_->edgeSet(), rest, halfCotangents_);
+  edges_ = makeEdgeSet(edgeSetOf(rigidity), rest, halfCotangents_);
+  scales_.reset();
+  if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
 }
 
@@ -72,7 +79,7 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
 
 void LocalGlobal::begin(Points& positions) {
   stopping_.begin();
-  acceleration_.begin(accelerationKind_);
+  acceleration_.begin(localStep_->followsOutput() ? Acceleration::Kind::none : accelerationKind_);
   energy_ = std::numeric_limits<double>::infinity();
   localStep_->begin();
   std::fill(rotations_.begin(), rotations_.end(), identityRotations());
@@ -86,6 +93,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   }
   guess_.swap(rotations_);
   const bool extrapolated = acceleration_.extrapolate(positions, previous_);
+  if (localStep_->followsOutput()) energy_ = std::numeric_limits<double>::infinity();
   report.energy = localStep(acceleration_.start(), false);
   if (extrapolated && !(report.energy <= energy_)) {
     acceleration_.reject(positions);
@@ -107,17 +115,21 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 }
 
 double LocalGlobal::localStep(const Points& positions, bool neverWorse) {
-  double energy = edges_->gatherCovariances(positions, covariances_, residual_);
+  localStep_->observe(positions);
+  double energy = edges_->gatherCovariances(positions, covariances_, residual_) + localStep_->pullEnergy();
   for (std::size_t b = 0; b < rotations_.size(); ++b) {
     rotations_[b] = guess_[b];
+    localStep_->pull(b, covariances_[b]);
     const Lanes regularizers = localStep_->fit(b, ScaledCovariances(covariances_[b]), neverWorse, rotations_[b]);
-    energy += sumOf(toDouble(regularizers) - traces(rotations_[b], covariances_[b]));
+    const DoubleLanes gains = traces(rotations_[b], covariances_[b]);
+    energy += sumOf(toDouble(regularizers) - gains);
+    if (scales_) energy += scales_->fit(b, gains);
   }
   return energy;
 }
 
 void LocalGlobal::globalStep(const Points& from, Points& positions) {
-  edges_->addRotated(rotations_, residual_);
+  edges_->addSimilar(rotations_, scales_ ? scales_->growths() : kNoGrowths, residual_);
   system_.correct(residual_, from, positions);
   gauge_->restoreCentroids(positions);
 }

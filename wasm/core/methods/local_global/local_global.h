@@ -6,6 +6,7 @@
 #include "constraints/gauge.h"
 #include "linear/constrained_quadratic.h"
 #include "methods/local_global/acceleration.h"
+#include "methods/local_global/free_scales.h"
 #include "methods/local_global/local_step.h"
 #include "methods/local_global/stopping_rule.h"
 #include "methods/method.h"
@@ -15,7 +16,7 @@ namespace whittle {
 /// The parameters that every local/global method ends its list with, and where they start in it.
 std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own);
 
-/// Minimises Σ_k Σ_{e∈N(k)} c_e |R_k d_e − u_e|² + regularizer(R) by turns over the rotations R (local step, the policy)
+/// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, by turns over the rotations R (local step, the policy)
 /// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge). The
 /// energy of the points that iterations start from never rises, accelerated or not.
 class LocalGlobal : public Method {
@@ -29,7 +30,7 @@ class LocalGlobal : public Method {
   Status step(Points& positions, StepReport& report) override;
 
  private:
-  void prepareRestShape(const TriangleMesh& rest);
+  void prepareRestShape(const TriangleMesh& rest, Rigidity rigidity);
   void claimRunningState();
   Status prepareSystem(const Handles& handles);
   /// Fits the rotations to the positions, on demand none of them worse than it was; returns the energy.
@@ -59,6 +60,7 @@ class LocalGlobal : public Method {
   // Running state
   std::vector<QuaternionLanes> guess_;  // rotations of the iteration before, which made the present positions
   std::vector<QuaternionLanes> rotations_;
+  std::optional<FreeScales> scales_;  // where the policy frees them
   std::vector<CovarianceLanes> covariances_;
   std::vector<LaneRow> residual_;
   Points previous_;

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geometry/edge_set.h"
 #include "geometry/rotation_fit.h"
+#include "methods/local_global/rigidity.h"
 #include "methods/parameters.h"
 
 namespace whittle {
@@ -20,13 +20,26 @@ class LocalStep {
  public:
   virtual ~LocalStep() = default;
 
-  virtual EdgeSetKind edgeSet() const { return EdgeSetKind::spokesAndRims; }
+  virtual Rigidity rigidity(const Settings&) const { return Rigidity::arap; }
 
   /// Takes the parameters that the policy knows; called when weights or more are stale. `rest` outlives the policy’s use.
-  virtual void prepare(const RestShape& rest, const Settings& settings) = 0;
+  virtual Status prepare(const RestShape& rest, const Settings& settings) = 0;
 
   /// Forgets what earlier iterations left.
   virtual void begin() {}
+
+  /// Whether the energy itself depends on the positions through what `observe` sees. It may then rise, and one iteration's energy says
+  /// nothing about another's: iterations are plain ones, without acceleration and without rejections.
+  virtual bool followsOutput() const { return false; }
+  /// Looks at the positions to which the next rotations are fitted. Allocates nothing.
+  virtual void observe(const Points&) {}
+
+  /// Adds what is linear in the (scaled) rotations, −tr(R P) summed over elements, as 1·P to the covariances of four elements.
+  virtual void pull(std::size_t, CovarianceLanes&) const {}
+  /// The constant that belongs to it, Σ_k a_k (|n_k|² + |t_k|²).
+  virtual double pullEnergy() const { return 0; }
+  /// a_k |n_k|² of every element: what a scale s_k makes of it is s_k² as much. Empty: none.
+  virtual Scalars pullWeights() const { return {}; }
 
   /// Finds the rotations R of four elements that are best for their covariances M (tr(R M) is to be large), starting from those
   /// given. Returns their regularizers. Allocates nothing.

@@ -1,0 +1,54 @@
+import type { MethodDescriptor } from './descriptor.ts';
+import { lambdaPerVertex, regularizer, shared } from './local-global.ts';
+
+export const analogy: MethodDescriptor = {
+  id: 'analogy',
+  title: 'Analogy',
+  summary: 'Give the mesh the style of another shape: its normals turn to those that the style has there.',
+  paper: 'Normal-Driven Spherical Shape Analogies, 2021',
+  parameters: [
+    {
+      name: 'style',
+      kind: 'style',
+      label: 'Style',
+      doc: 'The shape to borrow from: a primitive (cube, icosahedron …), a style mesh (oloid, jessen …) or a closed mesh file.',
+      invalidates: 'weights',
+      default: 'cube',
+    },
+    {
+      name: 'mapping',
+      kind: 'choice',
+      label: 'Mapping',
+      doc: 'How the style is read: the closest normal of a convex shape, or its surface on the sphere (2021, §3.1); auto takes what suits it.',
+      invalidates: 'weights',
+      advanced: true,
+      isForLibrary: true,
+      default: 'auto',
+      choices: ['auto', 'closest', 'spherical'],
+    },
+    {
+      name: 'lambda',
+      kind: 'number',
+      label: 'Strength',
+      doc: 'λ of Eq. 1: how strongly normals are drawn to the style’s. Finer meshes need less for the same look.',
+      invalidates: 'weights',
+      default: 1,
+      min: 0,
+      max: 100,
+      unit: '',
+      slider: { min: 0, max: 10, step: 0.05 },
+    },
+    regularizer,
+    {
+      name: 'dynamicTargets',
+      kind: 'flag',
+      label: 'Targets follow',
+      doc: 'Look the targets up from the output’s normals in every iteration, not from the input’s once; no acceleration then.',
+      invalidates: 'weights',
+      advanced: true,
+      default: false,
+    },
+    lambdaPerVertex,
+    ...shared,
+  ],
+};

@@ -1,0 +1,66 @@
+#include "support/style_runs.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "geometry/surface.h"
+
+namespace whittle::testing {
+
+GaussMapData cubeStyle() {
+  GaussMapData data;
+  data.normals.resize(6, 3);
+  data.normals << Mat3::Identity(), -Mat3::Identity();
+  return data;
+}
+
+GaussMapData octahedronStyle() {
+  GaussMapData data;
+  data.normals.resize(8, 3);
+  for (int i = 0; i < 8; ++i) data.normals.row(i) << (i & 1 ? 1 : -1), (i & 2 ? 1 : -1), (i & 4 ? 1 : -1);
+  return data;
+}
+
+void prepareAnalogy(Session& session, const Analogy& analogy) {
+  REQUIRE(session.select("analogy").ok());
+  REQUIRE(session.setStyle("style", analogy.style).ok());
+  REQUIRE(session.setNumber("lambda", analogy.lambda).ok());
+  REQUIRE(session.setNumber("regularizer", analogy.regularizer).ok());
+  REQUIRE(session.setNumber("dynamicTargets", analogy.isDynamic).ok());
+  REQUIRE(session.setScalars("lambdaPerVertex", analogy.lambdaPerVertex).ok());
+  REQUIRE(session.setNumber("acceleration", analogy.acceleration).ok());
+  REQUIRE(session.setNumber("tolerance", analogy.tolerance).ok());
+  REQUIRE(session.setNumber("maxIterations", analogy.maxIterations).ok());
+  REQUIRE(session.setHandles(analogy.handles).ok());
+  REQUIRE(session.prepare().ok());
+}
+
+StyledRun run(const TriangleMesh& mesh, const Analogy& analogy) {
+  Session session;
+  REQUIRE(session.load(mesh).ok());
+  prepareAnalogy(session, analogy);
+  StyledRun result;
+  while (result.outcome == Outcome::running) {
+    StepReport report;
+    REQUIRE(session.step(report).ok());
+    result.outcome = report.outcome;
+    result.energies.push_back(report.energy);
+  }
+  result.positions.resize(mesh.vertexCount(), 3);
+  session.copyPositions(result.positions.data());
+  return result;
+}
+
+double angleToStyle(const Points& positions, const Triangles& triangles, const GaussMap& style) {
+  const Points normals = faceNormals(positions, triangles);
+  const Scalars areas = faceAreas(positions, triangles);
+  double sum = 0;
+  for (Index f = 0; f < triangles.rows(); ++f) {
+    const Vec3 n = normals.row(f).transpose(), t = style(n);
+    sum += areas[f] * std::atan2(n.cross(t).norm(), n.dot(t));
+  }
+  return sum / areas.sum() * 180 / EIGEN_PI;
+}
+
+}  // namespace whittle::testing

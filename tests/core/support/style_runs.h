@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/gauss_map.h"
+#include "session/session.h"
+
+namespace whittle::testing {
+
+/// The closest of the six directions of a cube.
+GaussMapData cubeStyle();
+/// The closest of the eight of an octahedron.
+GaussMapData octahedronStyle();
+
+/// One run of `analogy`.
+struct Analogy {
+  GaussMapData style = cubeStyle();
+  double lambda = 1;
+  int regularizer = 0;  // arap, farap, acap
+  bool isDynamic = false;
+  double tolerance = 3e-3;
+  int maxIterations = 300;
+  int acceleration = 0;
+  Handles handles = {};
+  Scalars lambdaPerVertex = {};
+};
+
+struct StyledRun {
+  Points positions;
+  std::vector<double> energies;
+  Outcome outcome = Outcome::running;
+};
+
+/// Gives a session that holds a mesh the method and its parameters, and prepares it.
+void prepareAnalogy(Session& session, const Analogy& analogy);
+
+StyledRun run(const TriangleMesh& mesh, const Analogy& analogy);
+
+/// Mean angle between face normals and what the style has for them, area-weighted, in degrees.
+double angleToStyle(const Points& positions, const Triangles& triangles, const GaussMap& style);
+
+}  // namespace whittle::testing

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "geometry/edge_set.h"
+
+namespace whittle {
+
+/// The scales s_k of Σ_k Σ_e c_e |s_k R_k d_e − u_e|² + a_k |s_k R_k n_k − t_k|². For the best R_k the energy of an element is a parabola in
+/// s, w s² − tr(R M) s + const with w = Σ_e c_e |d_e|² + a |n|², and s its lowest point (the printed one, with nᵀt in place of these, is
+/// not; see the sheet, §4).
+class FreeScales {
+ public:
+  /// Claims memory for so many elements, all of scale 1.
+  explicit FreeScales(Index elementCount) : weights_(batchCount(elementCount)), growths_(batchCount(elementCount)) {}
+
+  /// @param pullWeights a_k |n_k|², one number per element, or empty for none
+  void prepare(const EdgeSet& edges, const Points& rest, const Scalars& pullWeights);
+
+  /// Scales of four elements from tr(R M). Returns what they change in the energy.
+  double fit(std::size_t batch, DoubleLanes traces);
+
+  /// s − 1
+  const std::vector<Lanes>& growths() const { return growths_; }
+
+ private:
+  std::vector<DoubleLanes> weights_;  // w
+  std::vector<Lanes> growths_;
+};
+
+}  // namespace whittle
