@@ -34,7 +34,14 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   freeBlock.finalize();
   A = SparseMatrix();
 
-  Ordering ofFree = ordering;  // free rows keep their order, so a natural one stays so
+  Ordering ofFree = ordering;
+  std::vector<Index> order;
+  if (ordering.order) {
+    for (const Index row : *ordering.order) {
+      if (freeIndex[row] != kHeld) order.push_back(freeIndex[row]);
+    }
+    ofFree.order = &order;
+  }
   Points coordinates;
   if (ordering.coordinates) {
     coordinates.resize(freeCount, 3);
