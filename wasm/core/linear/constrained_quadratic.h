@@ -22,6 +22,7 @@ class ConstrainedQuadratic {
 
  private:
   std::vector<Index> free_;  // rows of X that are solved for
+  std::vector<Index> held_;
   SparseCholesky cholesky_;
 };
 
