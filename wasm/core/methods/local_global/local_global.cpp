@@ -14,7 +14,7 @@ namespace {
 /// A step shorter than this (unit frame) is rounding: the shape is at rest.
 constexpr double kNoMove = 1e-7;
 /// Share of the energy that the regularizers' single precision decides.
-constexpr double kRounding = 1e-8;
+constexpr double kRounding = 1e-7;
 
 const std::vector<Lanes> kNoGrowths;
 
