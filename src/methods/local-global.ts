@@ -122,6 +122,15 @@ export const cubic: MethodDescriptor = {
     },
     lambdaPerVertex,
     {
+      name: 'polyhedron',
+      kind: 'choice',
+      label: 'Polyhedron',
+      doc: 'Whose faces the normals are drawn to: a cube’s or those of another centrally symmetric polyhedron (2019, §4).',
+      invalidates: 'weights',
+      default: 'cube',
+      choices: ['cube', 'hexagonal-prism', 'rhombic-dodecahedron', 'truncated-octahedron'],
+    },
+    {
       name: 'localStep',
       kind: 'choice',
       label: 'Local step',

@@ -30,6 +30,15 @@ inline void store(void* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
 
 inline Lanes splat(float value) { return Lanes{value, value, value, value}; }
 
+/// The number at p in every lane, in one instruction where there is one.
+inline Lanes loadSplat(const float* p) {
+#if defined(__wasm_simd128__)
+  return (Lanes)wasm_v128_load32_splat(p);
+#else
+  return splat(*p);
+#endif
+}
+
 /// A point or vector in single precision: xyz and a spare lane.
 struct alignas(16) LaneRow {
   float x = 0, y = 0, z = 0, spare = 0;
@@ -39,6 +48,8 @@ inline Lanes toSingle(DoubleLanes v) { return __builtin_convertvector(v, Lanes);
 inline DoubleLanes toDouble(Lanes v) { return __builtin_convertvector(v, DoubleLanes); }
 
 inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return (Lanes)(((LaneMask)yes & mask) | ((LaneMask)no & ~mask)); }
+
+inline LaneMask select(LaneMask mask, LaneMask yes, LaneMask no) { return (yes & mask) | (no & ~mask); }
 
 /// Zero where the mask is not set.
 inline Lanes keep(LaneMask mask, Lanes v) { return (Lanes)((LaneMask)v & mask); }

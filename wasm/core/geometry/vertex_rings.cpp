@@ -82,15 +82,18 @@ void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& ha
 VertexRings::RingSums VertexRings::sumRing(const Points& output, Index k) const {
   const double* xk = output.data() + 3 * static_cast<std::ptrdiff_t>(k);
   const Pair kxy = loadPair(xk), kyz = loadPair(xk + 1);
-  RingSums sums{};
+  Pair xxy{}, xyz{}, yxy{}, yyz{}, zxy{}, zyz{}, wxy{}, wyz{};
   for (Index p = start_[k]; p < start_[k + 1]; ++p) {
     const Spoke& spoke = spokes_[p];
     const double* xj = output.data() + 3 * static_cast<std::ptrdiff_t>(spoke.neighbour);
     const Pair uxy = loadPair(xj) - kxy, uyz = loadPair(xj + 1) - kyz;
-    const double factors[] = {spoke.x, spoke.y, spoke.z, weights_[p]};
-    for (int i = 0; i < 4; ++i) sums.xy[i] += factors[i] * uxy, sums.yz[i] += factors[i] * uyz;
+    const double x = spoke.x, y = spoke.y, z = spoke.z, w = weights_[p];
+    xxy += x * uxy, xyz += x * uyz;
+    yxy += y * uxy, yyz += y * uyz;
+    zxy += z * uxy, zyz += z * uyz;
+    wxy += w * uxy, wyz += w * uyz;
   }
-  return sums;
+  return {{xxy, yxy, zxy, wxy}, {xyz, yyz, zyz, wyz}};
 }
 
 double VertexRings::gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
@@ -125,7 +128,7 @@ void VertexRings::addSimilar(const std::vector<QuaternionLanes>& rotations, cons
       Lanes own = splat(0);
       for (Index p = start_[k + lane]; p < start_[k + lane + 1]; ++p) {
         const Spoke& spoke = spokes_[p];
-        const Lanes rotated = spoke.x * x + spoke.y * y + spoke.z * z;
+        const Lanes rotated = loadSplat(&spoke.x) * x + loadSplat(&spoke.y) * y + loadSplat(&spoke.z) * z;
         LaneRow* row = &residual[spoke.neighbour];
         store(row, load(row) + rotated);
         own += rotated;

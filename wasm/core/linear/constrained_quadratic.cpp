@@ -12,6 +12,7 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   std::vector<Index> freeIndex(A.rows(), 0);
   for (const Index row : held) freeIndex[row] = kHeld;
   free_.clear();
+  held_ = held;
   for (Index row = 0; row < A.rows(); ++row) {
     if (freeIndex[row] == kHeld) continue;
     freeIndex[row] = static_cast<Index>(free_.size());
@@ -33,7 +34,14 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   freeBlock.finalize();
   A = SparseMatrix();
 
-  Ordering ofFree = ordering;  // free rows keep their order, so a natural one stays so
+  Ordering ofFree = ordering;
+  std::vector<Index> order;
+  if (ordering.order) {
+    for (const Index row : *ordering.order) {
+      if (freeIndex[row] != kHeld) order.push_back(freeIndex[row]);
+    }
+    ofFree.order = &order;
+  }
   Points coordinates;
   if (ordering.coordinates) {
     coordinates.resize(freeCount, 3);
@@ -46,14 +54,14 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
 }
 
 void ConstrainedQuadratic::correct(const std::vector<LaneRow>& residual, const Points& from, Points& X) {
-  X = from;
+  for (const Index row : held_) X.row(row) = from.row(row);
   if (free_.empty()) return;
   const Index freeCount = static_cast<Index>(free_.size());
   for (Index i = 0; i < freeCount; ++i) cholesky_.row(i) = residual[free_[i]];
   cholesky_.solve();
   for (Index i = 0; i < freeCount; ++i) {
     const LaneRow& correction = cholesky_.row(i);
-    X.row(free_[i]) += Eigen::RowVector3d(correction.x, correction.y, correction.z);
+    X.row(free_[i]) = from.row(free_[i]) + Eigen::RowVector3d(correction.x, correction.y, correction.z);
   }
 }
 

@@ -14,7 +14,7 @@ class ConstrainedQuadratic {
  public:
   /// Factors the free block of A (#n×#n, symmetric, positive definite on the free rows). `held` may hold an index twice.
   /// A is taken over and let go before the factorization, whose memory is the peak. Fails with `numericalFailure`.
-  /// @param ordering of all rows of A, held ones too, in blocks of 1; coordinates are #n×3
+  /// @param ordering of all rows of A, held ones too, in blocks of 1
   Status prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering = {});
 
   /// Moves the free rows of `from` by the solution of A ΔX = residual, residual = B − A X there. Allocates nothing.
@@ -22,6 +22,7 @@ class ConstrainedQuadratic {
 
  private:
   std::vector<Index> free_;  // rows of X that are solved for
+  std::vector<Index> held_;
   SparseCholesky cholesky_;
 };
 

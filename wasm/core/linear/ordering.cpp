@@ -36,12 +36,16 @@ std::vector<Index> minimumDegreeOrder(const Graph& graph) {
 std::vector<Index> eliminationOrder(const Graph& graph, const Points* coordinates, Index blockSize) {
   const bool large = static_cast<std::int64_t>(blockSize) * graph.size() >= kDissectFrom;
   const bool inSpace = coordinates && coordinates->rows() == graph.size();
-  std::vector<Index> order = large && inSpace ? nestedDissectionOrder(graph, *coordinates) : minimumDegreeOrder(graph);
+  const std::vector<Index> order = large && inSpace ? nestedDissectionOrder(graph, *coordinates) : minimumDegreeOrder(graph);
+  return postordered(graph, order);
+}
+
+std::vector<Index> postordered(const Graph& graph, const std::vector<Index>& order) {
   std::vector<Index> positionOf(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) positionOf[order[i]] = static_cast<Index>(i);
-  std::vector<Index> postordered = postorder(eliminationTree(upperPattern(graph, positionOf)));
-  for (Index& position : postordered) position = order[position];
-  return postordered;
+  std::vector<Index> result = postorder(eliminationTree(upperPattern(graph, positionOf)));
+  for (Index& position : result) position = order[position];
+  return result;
 }
 
 }  // namespace whittle

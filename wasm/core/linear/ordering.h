@@ -8,9 +8,9 @@ namespace whittle {
 
 /// How the unknowns of a matrix are to be numbered for its factorization.
 struct Ordering {
-  const Points* coordinates = nullptr;  // one row per node: where it is in space, for systems large enough to be cut in space
-  Index blockSize = 1;                  // unknowns per node, numbered blockSize·node + component
-  bool natural = false;                 // the unknowns are already in a good order
+  const Points* coordinates = nullptr;        // one row per node: where it is in space, for systems large enough to be cut in space
+  Index blockSize = 1;                        // unknowns per node, numbered blockSize·node + component
+  const std::vector<Index>* order = nullptr;  // a good elimination order if one is known: position → node
 };
 
 /// Elimination order by approximate minimum degree: position → node.
@@ -18,8 +18,11 @@ std::vector<Index> minimumDegreeOrder(const Graph& graph);
 
 /// An elimination order that keeps the Cholesky factor of matrices on this graph sparse: position → node. Minimum degree for
 /// small systems, nested dissection for large ones with coordinates (#nodes×3; nullptr: unknown), size being counted in
-/// unknowns, `blockSize` per node. Children of the elimination tree come before their parents and subtrees in one piece, so
-/// a mesh renumbered by this order can be factored in its natural order. The same graph gives the same order everywhere.
+/// unknowns, `blockSize` per node. Children of the elimination tree come before their parents and subtrees in one piece. It stays
+/// good when nodes are taken out, so one order serves a mesh whatever is held. The same graph gives the same order everywhere.
 std::vector<Index> eliminationOrder(const Graph& graph, const Points* coordinates = nullptr, Index blockSize = 1);
+
+/// The same elimination with children of the elimination tree before their parents and subtrees in one piece.
+std::vector<Index> postordered(const Graph& graph, const std::vector<Index>& order);
 
 }  // namespace whittle

@@ -13,11 +13,27 @@ void scatterTile(Lanes x, Lanes y, Lanes z, const SolvePanel& panel, Index tile,
   Lanes spare = splat(0);
   transpose(x, y, z, spare);
   const Lanes products[] = {x, y, z, spare};
+  const Index* rows = panel.rows + 4 * tile;
+  const Index own = panel.columns - 4 * tile;
   for (int lane = 0; lane < 4; ++lane) {
-    const Index place = 4 * tile + lane;
-    LaneRow* row = rhs + panel.rows[place];
-    store(row, place < panel.columns ? products[lane] : load(row) + products[lane]);
+    LaneRow* row = rhs + rows[lane];
+    store(row, lane < own ? products[lane] : load(row) + products[lane]);
   }
+}
+
+/// Forward products of some tiles, which share each splat of a right-hand side.
+template <int kTiles>
+void forwardTiles(const SolvePanel& panel, Index first, const LaneRow* own, LaneRow* rhs) {
+  const TileColumn* tiles = panel.tile(first);
+  Lanes x[kTiles] = {}, y[kTiles] = {}, z[kTiles] = {};
+  for (Index j = 0; j < panel.columns; ++j, ++tiles) {
+    const Lanes ownX = loadSplat(&own[j].x), ownY = loadSplat(&own[j].y), ownZ = loadSplat(&own[j].z);
+    for (int t = 0; t < kTiles; ++t) {
+      const Lanes p = load(tiles + t * static_cast<std::ptrdiff_t>(panel.columns));
+      x[t] += p * ownX, y[t] += p * ownY, z[t] += p * ownZ;
+    }
+  }
+  for (int t = 0; t < kTiles; ++t) scatterTile(x[t], y[t], z[t], panel, first + t, rhs);
 }
 
 /// The lanes x, y, z of the rows of every tile.
@@ -32,86 +48,54 @@ void gatherTiles(const SolvePanel& panel, const LaneRow* rhs, LaneRow* lanes) {
   }
 }
 
-/// Σ over the rows of one column times the gathered rows.
-LaneRow columnProduct(const SolvePanel& panel, Index column, const LaneRow* lanes) {
-  Lanes x = splat(0), y = splat(0), z = splat(0);
-  for (Index tile = 0; tile < panel.tileCount(); ++tile) {
-    const Lanes p = load(panel.tiles + 4 * (static_cast<std::ptrdiff_t>(tile) * panel.columns + column));
-    x += p * load(lanes + 3 * tile);
-    y += p * load(lanes + 3 * tile + 1);
-    z += p * load(lanes + 3 * tile + 2);
+/// Backward products of some columns, which share each gathered row.
+template <int kColumns>
+void backwardColumns(const SolvePanel& panel, Index first, const LaneRow* lanes, LaneRow* own) {
+  const TileColumn* tiles = panel.tiles + first;
+  Lanes x[4] = {}, y[4] = {}, z[4] = {};
+  for (Index tile = 0; tile < panel.tileCount(); ++tile, tiles += panel.columns, lanes += 3) {
+    const Lanes rowX = load(lanes), rowY = load(lanes + 1), rowZ = load(lanes + 2);
+    for (int j = 0; j < kColumns; ++j) {
+      const Lanes p = load(tiles + j);
+      x[j] += p * rowX, y[j] += p * rowY, z[j] += p * rowZ;
+    }
   }
-  LaneRow row;
-  store(&row, horizontalSums(x, y, z, splat(0)));
-  return row;
+  Lanes sums[] = {horizontalSums(x[0], x[1], x[2], x[3]), horizontalSums(y[0], y[1], y[2], y[3]),
+                  horizontalSums(z[0], z[1], z[2], z[3]), splat(0)};
+  transpose(sums[0], sums[1], sums[2], sums[3]);
+  for (int j = 0; j < kColumns; ++j) store(own + first + j, sums[j]);
 }
 
 }  // namespace
 
-void packTiles(const double* panel, Index height, Index columns, float* tiles) {
+void packTiles(const double* panel, Index height, Index columns, TileColumn* tiles) {
   for (Index tile = 0; tile * 4 < height; ++tile) {
-    for (Index j = 0; j < columns; ++j) {
+    for (Index j = 0; j < columns; ++j, ++tiles) {
       for (Index lane = 0; lane < 4; ++lane) {
         const Index row = 4 * tile + lane;
-        *tiles++ = row < height ? static_cast<float>(panel[row + static_cast<std::ptrdiff_t>(j) * height]) : 0.0f;
+        tiles->rows[lane] = row < height ? static_cast<float>(panel[row + static_cast<std::ptrdiff_t>(j) * height]) : 0.0f;
       }
     }
   }
 }
 
 void panelForward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
-  const Index columns = panel.columns, tileCount = panel.tileCount();
-  std::copy_n(rhs + panel.rows[0], columns, scratch);
-  const std::ptrdiff_t tileSize = 4 * static_cast<std::ptrdiff_t>(columns);
-  const float* tiles = panel.tiles;
+  std::copy_n(rhs + panel.rows[0], panel.columns, scratch);
+  const Index tileCount = panel.tileCount();
   Index tile = 0;
-  for (; tile + 1 < tileCount; tile += 2, tiles += 2 * tileSize) {  // two tiles share each splat
-    Lanes x0 = splat(0), y0 = x0, z0 = x0, x1 = x0, y1 = x0, z1 = x0;
-    for (Index j = 0; j < columns; ++j) {
-      const Lanes p0 = load(tiles + 4 * j), p1 = load(tiles + tileSize + 4 * j);
-      const Lanes x = splat(scratch[j].x), y = splat(scratch[j].y), z = splat(scratch[j].z);
-      x0 += p0 * x, y0 += p0 * y, z0 += p0 * z;
-      x1 += p1 * x, y1 += p1 * y, z1 += p1 * z;
-    }
-    scatterTile(x0, y0, z0, panel, tile, rhs);
-    scatterTile(x1, y1, z1, panel, tile + 1, rhs);
-  }
-  if (tile < tileCount) {
-    Lanes x = splat(0), y = x, z = x;
-    for (Index j = 0; j < columns; ++j) {
-      const Lanes p = load(tiles + 4 * j);
-      x += p * splat(scratch[j].x), y += p * splat(scratch[j].y), z += p * splat(scratch[j].z);
-    }
-    scatterTile(x, y, z, panel, tile, rhs);
-  }
+  for (; tile + 2 < tileCount; tile += 3) forwardTiles<3>(panel, tile, scratch, rhs);
+  if (tile + 1 < tileCount) forwardTiles<2>(panel, tile, scratch, rhs), tile += 2;
+  if (tile < tileCount) forwardTiles<1>(panel, tile, scratch, rhs);
 }
 
 void panelBackward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
   gatherTiles(panel, rhs, scratch);
-  const Index columns = panel.columns, tileCount = panel.tileCount();
   LaneRow* own = rhs + panel.rows[0];
   Index j = 0;
-  for (; j + 3 < columns; j += 4) {  // four columns share each gathered row
-    Lanes x0 = splat(0), x1 = x0, x2 = x0, x3 = x0, y0 = x0, y1 = x0, y2 = x0, y3 = x0, z0 = x0, z1 = x0, z2 = x0, z3 = x0;
-    const float* tiles = panel.tiles + 4 * j;
-    const LaneRow* lanes = scratch;
-    for (Index tile = 0; tile < tileCount; ++tile, tiles += 4 * static_cast<std::ptrdiff_t>(columns), lanes += 3) {
-      const Lanes x = load(lanes), y = load(lanes + 1), z = load(lanes + 2);
-      Lanes p = load(tiles);
-      x0 += p * x, y0 += p * y, z0 += p * z;
-      p = load(tiles + 4);
-      x1 += p * x, y1 += p * y, z1 += p * z;
-      p = load(tiles + 8);
-      x2 += p * x, y2 += p * y, z2 += p * z;
-      p = load(tiles + 12);
-      x3 += p * x, y3 += p * y, z3 += p * z;
-    }
-    Lanes x = horizontalSums(x0, x1, x2, x3), y = horizontalSums(y0, y1, y2, y3), z = horizontalSums(z0, z1, z2, z3);
-    Lanes spare = splat(0);
-    transpose(x, y, z, spare);
-    store(own + j, x), store(own + j + 1, y), store(own + j + 2, z), store(own + j + 3, spare);
-  }
-  for (; j < columns; ++j) own[j] = columnProduct(panel, j, scratch);
+  for (; j + 3 < panel.columns; j += 4) backwardColumns<4>(panel, j, scratch, own);
+  if (j + 2 < panel.columns) backwardColumns<3>(panel, j, scratch, own), j += 3;
+  if (j + 1 < panel.columns) backwardColumns<2>(panel, j, scratch, own), j += 2;
+  if (j < panel.columns) backwardColumns<1>(panel, j, scratch, own);
 }
 
 }  // namespace whittle

@@ -5,19 +5,25 @@
 
 namespace whittle {
 
+/// Four rows of a column.
+struct alignas(16) TileColumn {
+  float rows[4];
+};
+
 /// A panel P = [L11⁻¹; −L21 L11⁻¹] of a supernode in single precision, stored in tiles of four rows (each tile holds its
 /// four rows of one column after the other), the last tile padded with zeros.
 struct SolvePanel {
-  const float* tiles;
+  const TileColumn* tiles;
   const Index* rows;  // rows of the right-hand sides, padded to whole tiles with a row that nobody reads
   Index columns;
   Index height;
 
   Index tileCount() const { return (height + 3) / 4; }
+  const TileColumn* tile(Index t) const { return tiles + static_cast<std::ptrdiff_t>(t) * columns; }
 };
 
-/// Writes a column-major panel in double precision as tiles. `tiles` holds `tileCount`×`columns`×4 numbers.
-void packTiles(const double* panel, Index height, Index columns, float* tiles);
+/// Writes a column-major panel in double precision as tiles. `tiles` holds `tileCount`×`columns` of them.
+void packTiles(const double* panel, Index height, Index columns, TileColumn* tiles);
 
 /// Forward step: own rows ← L11⁻¹ own; rows below −= L21 L11⁻¹ own. `scratch` holds `columns` rows.
 void panelForward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch);

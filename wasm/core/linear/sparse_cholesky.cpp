@@ -40,7 +40,7 @@ void SparseCholesky::placeRows() {
     paddedRows_.insert(paddedRows_.end(), rows, rows + supernodes_.height(s));
     paddedStart_.push_back(paddedStart_.back() + 4 * tiles);
     paddedRows_.resize(paddedStart_.back(), unknowns);
-    tileStart_.push_back(tileStart_.back() + 4 * static_cast<std::size_t>(tiles) * supernodes_.columns(s));
+    tileStart_.push_back(tileStart_.back() + static_cast<std::size_t>(tiles) * supernodes_.columns(s));
     mostTiles = std::max(mostTiles, tiles);
     mostColumns = std::max(mostColumns, supernodes_.columns(s));
   }

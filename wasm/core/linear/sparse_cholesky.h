@@ -58,7 +58,7 @@ class SparseCholesky {
   std::vector<Index> paddedRows_;         // rows of each supernode, padded to whole tiles
   std::vector<std::size_t> paddedStart_;  // #supernodes + 1: into `paddedRows_`
   std::vector<std::size_t> tileStart_;    // #supernodes + 1: into `tiles_`
-  std::vector<float> tiles_;
+  std::vector<TileColumn> tiles_;
   std::vector<double> diagonal_;          // of A, for the supernode that is being factored
   Multifrontal work_;
   std::vector<LaneRow> rhs_;               // #unknowns + 1 in the factor's order; the last takes what padding writes

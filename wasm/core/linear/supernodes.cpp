@@ -124,13 +124,8 @@ Supernodes expand(const Supernodes& ofNodes, Index blockSize) {
 Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering) {
   const Graph graph = graphOf(A, ordering.blockSize);
   Supernodes result;
-  if (ordering.natural) {
-    result.newOf.resize(graph.size());
-    std::iota(result.newOf.begin(), result.newOf.end(), 0);
-    result.newOf = positions(postorder(eliminationTree(upperPattern(graph, result.newOf))));
-  } else {
-    result.newOf = positions(eliminationOrder(graph, ordering.coordinates, ordering.blockSize));
-  }
+  result.newOf = positions(ordering.order ? postordered(graph, *ordering.order)
+                                          : eliminationOrder(graph, ordering.coordinates, ordering.blockSize));
   const UpperPattern pattern = upperPattern(graph, result.newOf);
   const std::vector<Index> parent = eliminationTree(pattern);
   const std::vector<Panel> panels = findPanels(parent, columnCounts(pattern, parent), ordering.blockSize);

@@ -4,22 +4,25 @@
 #include "methods/local_global/cubic_admm.h"
 #include "methods/local_global/cubic_exact.h"
 #include "methods/local_global/local_global.h"
+#include "methods/local_global/polyhedral_exact.h"
 
 namespace whittle {
 
 namespace {
 
-enum Parameter { kLambda, kLambdaPerVertex, kLocalStep, kOwnParameters };
+enum Parameter { kLambda, kLambdaPerVertex, kPolyhedron, kLocalStep, kOwnParameters };
 enum LocalStepChoice { kExact, kAdmm };
 
 /// Goes back to the guess in lanes where it is better.
-void keepBetter(const CubicLanes& vertices, const QuaternionLanes& guess, QuaternionLanes& rotations, Lanes& regularizers) {
+void keepBetter(const CubicLanes& vertices, const Polyhedron& polyhedron, const QuaternionLanes& guess, QuaternionLanes& rotations,
+                Lanes& regularizers) {
   for (int lane = 0; lane < 4; ++lane) {
-    const CubicVertex vertex = vertexAt(vertices, lane);
+    const CubicVertex cubic = vertexAt(vertices, lane);
+    const PolyhedralVertex vertex(cubic.M, cubic.n, cubic.weights.x(), polyhedron);
     const Mat3 before = rotationAt(guess, lane);
     if (vertex.objective(rotationAt(rotations, lane)) >= vertex.objective(before)) continue;
     setRotation(rotations, lane, before);
-    regularizers[lane] = static_cast<float>(vertex.regularizer(before * vertex.n));
+    regularizers[lane] = static_cast<float>(vertex.weight * polyhedron.support(before * vertex.n));
   }
 }
 
@@ -36,10 +39,13 @@ Status CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) 
     setVector(normals_[v / 4], v % 4, n);
     if (!n.isZero(0)) setVector(weights_[v / 4], v % 4, Vec3::Constant(cubeness(v) * rest.areas[v]));
   }
+  polyhedron_ = Polyhedron::named(static_cast<std::size_t>(settings.numbers[kPolyhedron]));
   if (static_cast<int>(settings.numbers[kLocalStep]) == kAdmm) {
-    solver_ = std::make_unique<CubicAdmm>();
-  } else {
+    solver_ = std::make_unique<CubicAdmm>(polyhedron_);
+  } else if (settings.numbers[kPolyhedron] == 0) {
     solver_ = std::make_unique<CubicExact>();
+  } else {
+    solver_ = std::make_unique<PolyhedralExact>(polyhedron_);
   }
   begin();
   return {};
@@ -49,7 +55,7 @@ Lanes CubicLocalStep::fit(std::size_t batch, const ScaledCovariances& covariance
   const CubicLanes vertices{covariances.M, normals_[batch], splat(1) / covariances.scale * weights_[batch]};
   const QuaternionLanes guess = rotations;
   Lanes regularizers = solver_->solve(batch, vertices, rotations);
-  if (neverWorse) keepBetter(vertices, guess, rotations, regularizers);
+  if (neverWorse) keepBetter(vertices, polyhedron_, guess, rotations, regularizers);
   return covariances.scale * regularizers;
 }
 
@@ -60,6 +66,7 @@ MethodInfo cubicMethod() {
   return {"cubic",
           withSharedParameters({{"lambda", ParameterKind::number, Stale::weights, 0.2, 0, 100},
                                 {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 100},
+                                choiceParameter("polyhedron", Stale::weights, Polyhedron::names()),
                                 choiceParameter("localStep", Stale::weights, {"exact", "admm"})}),
           create};
 }

@@ -4,6 +4,7 @@
 
 #include "methods/local_global/cubic_solver.h"
 #include "methods/local_global/local_step.h"
+#include "methods/local_global/polyhedron.h"
 #include "methods/method.h"
 
 namespace whittle {
@@ -19,6 +20,7 @@ class CubicLocalStep : public LocalStep {
  private:
   std::vector<VectorLanes> normals_;  // of the rest shape, zero where there is none
   std::vector<VectorLanes> weights_;  // κ = λ a_i on each axis
+  Polyhedron polyhedron_;
   std::unique_ptr<CubicSolver> solver_;
 };
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "methods/local_global/cubic_solver.h"
+#include "methods/local_global/polyhedron.h"
 
 namespace whittle {
 
-/// The printed local step (2019, §3.1): scaled ADMM. Penalty and tolerances are scaled with the vertex area, so that fine
+/// The printed local step (2019, §3.1 and, for polyhedra, §4): scaled ADMM. Penalty and tolerances are scaled with the vertex area, so that fine
 /// meshes are solved as far as coarse ones (the printed constants stop early there).
 class CubicAdmm : public CubicSolver {
  public:
@@ -15,8 +16,8 @@ class CubicAdmm : public CubicSolver {
     int maxSteps = 100;
   };
 
-  CubicAdmm() = default;
-  explicit CubicAdmm(const Tolerances& tolerances) : tolerances_(tolerances) {}
+  explicit CubicAdmm(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
+  CubicAdmm(const Polyhedron& polyhedron, const Tolerances& tolerances) : polyhedron_(polyhedron), tolerances_(tolerances) {}
 
   void begin(std::size_t batches, const std::vector<VectorLanes>& weights) override;
   Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) override;
@@ -29,9 +30,10 @@ class CubicAdmm : public CubicSolver {
   };
 
   /// One vertex in double precision from a rotation R, which is updated.
-  void solve(const CubicVertex& vertex, State& state, Mat3& R) const;
+  void solve(const Mat3& M, const Vec3& n, double weight, State& state, Mat3& R) const;
 
  private:
+  Polyhedron polyhedron_;
   Tolerances tolerances_;
   std::vector<State> states_;
 };

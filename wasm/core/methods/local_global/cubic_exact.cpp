@@ -112,7 +112,7 @@ bool CubicExact::solveCertified(const CubicVertex& vertex, Vec3& u, Mat3& R) {
   R = fitRotation(vertex.pulled(u), before);
   if (climb(vertex, u, R)) return true;
 
-  R = searchCubic(vertex, before);
+  R = searchCubic(PolyhedralVertex(vertex), before);
   u = (R * vertex.n).unaryExpr([](double s) { return std::abs(s) < kRounding ? 0 : std::copysign(1.0, s); });
   return false;
 }
@@ -121,10 +121,7 @@ Lanes CubicExact::solve(std::size_t batch, const CubicLanes& vertices, Quaternio
   VectorLanes& u = subgradients_[batch];
   const VectorLanes uBefore = u;
   const QuaternionLanes before = rotations;
-  const LaneMask certified = climbLanes(vertices, u, rotations);
-  const VectorLanes s = toMatrix(rotations) * vertices.n;
-  // The Lagrangian's κ·u·s is κ·|s| but for the rounding of the coordinates at a kink.
-  Lanes regularizers = vertices.weights.x * u.x * s.x + vertices.weights.y * u.y * s.y + vertices.weights.z * u.z * s.z;
+  auto [regularizers, certified] = climbLanes(vertices, u, rotations);
   if (all(certified)) return regularizers;
   for (int lane = 0; lane < 4; ++lane) {
     if (certified[lane]) continue;

@@ -82,17 +82,11 @@ LaneMask isSubgradient(Lanes u, Lanes s, Lanes weight, LaneMask kink) {
   return (kink & inside) | (~kink & sameSign);
 }
 
-/// The shortest turn that brings the coordinates at a kink to zero.
-QuaternionLanes settled(const QuaternionLanes& q, const VectorLanes& n, const VectorMask& kinks) {
-  const VectorLanes s = toMatrix(q) * n;
-  return turned(q, cross(s, {keep(~kinks.x, s.x), keep(~kinks.y, s.y), keep(~kinks.z, s.z)}));
-}
-
 Lanes clamped(Lanes u) { return minimum(maximum(u, splat(-1)), splat(1)); }
 
 }  // namespace
 
-LaneMask climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& rotations) {
+Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& rotations) {
   const auto& [M, n, weights] = vertices;
   LaneMask done{}, valid = ~done;
   VectorMask kinksAtEnd{done, done, done};
@@ -133,9 +127,12 @@ LaneMask climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes&
     kinksAtEnd.z |= finished & kinks.at.z;
     done |= finished;
   }
-  rotations = settled(rotations, n, kinksAtEnd);
+  // The shortest turn that brings the coordinates at a kink to zero.
+  const VectorLanes s = toMatrix(rotations) * n;
+  const VectorLanes offKinks{keep(~kinksAtEnd.x, s.x), keep(~kinksAtEnd.y, s.y), keep(~kinksAtEnd.z, s.z)};
+  rotations = turned(rotations, cross(s, offKinks));
   u = {clamped(u.x), clamped(u.y), clamped(u.z)};
-  return done & valid;
+  return {weights.x * absolute(offKinks.x) + weights.y * absolute(offKinks.y) + weights.z * absolute(offKinks.z), done & valid};
 }
 
 }  // namespace whittle

@@ -12,8 +12,14 @@ struct CubicLanes {
   VectorLanes weights;  // κ
 };
 
-/// The semismooth Newton method of `CubicExact` on four vertices, from rotations and subgradients that are updated. Returns the
-/// lanes whose result is certified to single precision; there, coordinates of R n at a kink are zero but for rounding.
-LaneMask climbLanes(const CubicLanes& vertices, VectorLanes& subgradients, QuaternionLanes& rotations);
+/// The regularizers κ·|R n|, and the lanes whose result is certified to single precision.
+struct Climbed {
+  Lanes regularizers;
+  LaneMask certified;
+};
+
+/// The semismooth Newton method of `CubicExact` on four vertices, from rotations and subgradients that are updated. Where it is
+/// certified, coordinates of R n at a kink are zero but for rounding.
+Climbed climbLanes(const CubicLanes& vertices, VectorLanes& subgradients, QuaternionLanes& rotations);
 
 }  // namespace whittle

@@ -16,7 +16,7 @@ constexpr int kGoldenSteps = 45;
 /// The objective as a function of the turned normal s alone: the turn about s that is left has its best angle in closed form.
 class NormalObjective {
  public:
-  explicit NormalObjective(const CubicVertex& vertex)
+  explicit NormalObjective(const PolyhedralVertex& vertex)
       : n_(vertex.n),
         first_(n_.unitOrthogonal()),
         second_(n_.cross(first_)),
@@ -25,12 +25,13 @@ class NormalObjective {
         ofSecond_(vertex.M.transpose() * second_),
         cross_(ofFirst_.cross(ofSecond_)),
         squares_(ofFirst_.squaredNorm() + ofSecond_.squaredNorm()),
-        weights_(vertex.weights) {}
+        weight_(vertex.weight),
+        polyhedron_(vertex.polyhedron) {}
 
   double operator()(const Vec3& s) const {
     const double x = s.dot(ofFirst_), y = s.dot(ofSecond_);
     const double inPlane = squares_ - x * x - y * y + 2 * s.dot(cross_);
-    return s.dot(ofNormal_) + std::sqrt(std::max(0.0, inPlane)) - weights_.dot(s.cwiseAbs());
+    return s.dot(ofNormal_) + std::sqrt(std::max(0.0, inPlane)) - weight_ * polyhedron_.support(s);
   }
 
   Mat3 rotation(const Vec3& s) const {
@@ -46,7 +47,8 @@ class NormalObjective {
   Vec3 n_, first_, second_;                   // right-handed
   Vec3 ofNormal_, ofFirst_, ofSecond_, cross_;  // Mᵀ times them
   double squares_;
-  Vec3 weights_;
+  double weight_;
+  const Polyhedron& polyhedron_;
 };
 
 struct Best {
@@ -76,15 +78,11 @@ double localMaximum(const Function& f, double low, double high) {
   return (low + high) / 2;
 }
 
-/// All local maxima with s_j = 0. Not inlined: with -msimd128, Clang 14's superword (SLP) vectorizer then computes wrong
+/// All local maxima with b · s = 0. Not inlined: with -msimd128, Clang 14's superword (SLP) vectorizer then computes wrong
 /// maxima; the tests of the search show it.
-[[gnu::noinline]] void searchCircle(const NormalObjective& objective, Index j, Best& best) {
-  const auto point = [j](double angle) {
-    Vec3 s = Vec3::Zero();
-    s[(j + 1) % 3] = std::cos(angle);
-    s[(j + 2) % 3] = std::sin(angle);
-    return s;
-  };
+[[gnu::noinline]] void searchCircle(const NormalObjective& objective, const Vec3& b, Best& best) {
+  const Vec3 first = b.unitOrthogonal(), second = b.cross(first);
+  const auto point = [&](double angle) -> Vec3 { return std::cos(angle) * first + std::sin(angle) * second; };
   const auto value = [&](double angle) { return objective(point(angle)); };
   constexpr double kStep = 2 * EIGEN_PI / kSamples;
   std::array<double, kSamples> samples;
@@ -96,21 +94,38 @@ double localMaximum(const Function& f, double low, double high) {
   }
 }
 
+/// The fit of every cell between the great circles that a sample of directions meets: 98 all round, on a cube put slightly askew.
+void searchCells(const PolyhedralVertex& vertex, const NormalObjective& objective, const Mat3& guess, Best& best) {
+  std::uint64_t seen = 0;  // sign patterns
+  for (int code = 0; code < 125; ++code) {
+    const Vec3 corner(code % 5 - 2, code / 5 % 5 - 2, code / 25 - 2);
+    if (corner.cwiseAbs().maxCoeff() < 2) continue;
+    const Vec3 direction = corner + Vec3(0.13, 0.07, -0.11);
+    int pattern = 0;
+    for (Index j = 0; j < vertex.polyhedron.rowCount; ++j) pattern |= (vertex.polyhedron.rows[j].dot(direction) > 0) << j;
+    if (seen >> pattern & 1) continue;
+    seen |= std::uint64_t{1} << pattern;
+    const Vec3 s = (fitRotation(vertex.pulledAt(direction), guess) * vertex.n).normalized();
+    best.offer(s, objective(s));
+  }
+}
+
 }  // namespace
 
-Mat3 searchCubic(const CubicVertex& vertex, const Mat3& guess) {
+Mat3 searchCubic(const PolyhedralVertex& vertex, const Mat3& guess) {
+  const Polyhedron& polyhedron = vertex.polyhedron;
   const NormalObjective objective(vertex);
   Best best{(guess * vertex.n).normalized(), 0};
   best.value = objective(best.s);
-  for (Index axis = 0; axis < 3; ++axis) {
-    for (const double sign : {1.0, -1.0}) best.offer(sign * Vec3::Unit(axis), objective(sign * Vec3::Unit(axis)));
-  }
-  for (int octant = 0; octant < 8; ++octant) {
-    const Vec3 u(octant & 1 ? 1 : -1, octant & 2 ? 1 : -1, octant & 4 ? 1 : -1);
-    const Vec3 s = (fitRotation(vertex.pulled(u), guess) * vertex.n).normalized();
+  const auto offerBoth = [&](const Vec3& s) {
     best.offer(s, objective(s));
+    best.offer(-s, objective(-s));
+  };
+  for (Index j = 0; j < polyhedron.rowCount; ++j) {
+    for (Index i = 0; i < j; ++i) offerBoth(polyhedron.rows[i].cross(polyhedron.rows[j]).normalized());
+    searchCircle(objective, polyhedron.rows[j], best);
   }
-  for (Index j = 0; j < 3; ++j) searchCircle(objective, j, best);
+  searchCells(vertex, objective, guess, best);
   return objective.rotation(best.s);
 }
 

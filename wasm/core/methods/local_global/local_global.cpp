@@ -14,7 +14,7 @@ namespace {
 /// A step shorter than this (unit frame) is rounding: the shape is at rest.
 constexpr double kNoMove = 1e-7;
 /// Share of the energy that the regularizers' single precision decides.
-constexpr double kRounding = 1e-8;
+constexpr double kRounding = 1e-7;
 
 const std::vector<Lanes> kNoGrowths;
 
@@ -57,6 +57,7 @@ void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) 
   scales_.reset();
   if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
+  eliminationOrder_.clear();
 }
 
 void LocalGlobal::claimRunningState() {
@@ -74,7 +75,9 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held, {&mesh.positions});
+  SparseMatrix L = cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount());
+  if (eliminationOrder_.empty()) eliminationOrder_ = eliminationOrder(graphOf(L), &mesh.positions);
+  return system_.prepare(std::move(L), held, {.order = &eliminationOrder_});
 }
 
 void LocalGlobal::begin(Points& positions) {

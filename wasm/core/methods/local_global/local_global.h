@@ -52,6 +52,7 @@ class LocalGlobal : public Method {
   CornerScalars halfCotangents_;
   std::unique_ptr<EdgeSet> edges_;
   Components components_;
+  std::vector<Index> eliminationOrder_;  // of the vertices, good whatever is held
 
   // Prepared once per set of held vertices
   std::optional<Gauge> gauge_;
