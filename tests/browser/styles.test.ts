@@ -54,7 +54,7 @@ async function drop(target: string, name: string, bytes: Uint8Array): Promise<vo
 
 async function chosen(name: string): Promise<void> {
   await page.waitForFunction(
-    (wanted) => document.querySelector('.tile[aria-selected=true]')?.textContent?.trim() === wanted,
+    (wanted) => document.querySelector<HTMLElement>('.tile[aria-selected=true]')?.title === wanted,
     name,
   );
   await carved(page);

@@ -42,9 +42,12 @@ export function measure(document: WhittleDocument, name: OverlayName): Overlay |
   return { name, title: overlayTitles[name], unit: '°', max, mean: mean(values), values };
 }
 
-/** What the document's method draws normals to. The cube's own style is carved without a Gauss map, but has one. */
-function targetsOf({ method, style }: WhittleDocument): GaussMap | null {
-  if (method === 'cubic') return { kind: 'closest', normals: findPrimitive('cube')!.normals };
+/** What the document's method draws normals to. The cubic method carves without a Gauss map, but its solid has one. */
+function targetsOf({ method, parameters, style }: WhittleDocument): GaussMap | null {
+  if (method === 'cubic') {
+    const solid = findPrimitive(String(parameters.polyhedron ?? 'cube'));
+    return solid ? { kind: 'closest', normals: solid.normals } : null;
+  }
   return takesStyle(findMethod(method)) && style ? style.map : null;
 }
 

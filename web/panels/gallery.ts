@@ -62,7 +62,7 @@ export class WhittleGallery extends PageElement {
       <button
         type="button" class="tile" role="option" data-style=${id} aria-selected=${chosen} tabindex=${chosen ? 0 : -1}
         ?data-pending=${pending === id} title=${name} @click=${() => this.#choose(id)}
-      ><canvas width="128" height="128" data-picture=${id} aria-hidden="true"></canvas><span>${name}</span></button>`;
+      ><canvas width="128" height="128" data-picture=${id} aria-hidden="true"></canvas><span>${breakable(name)}</span></button>`;
   };
 
   #offer(why: string) {
@@ -96,6 +96,11 @@ export class WhittleGallery extends PageElement {
     tiles[to]!.tabIndex = 0;
     tiles[to]!.focus();
   };
+}
+
+/** Long names of solids may break before their last part. */
+function breakable(name: string): string {
+  return name.replace(/(?<=\w)hedron/, '\u00adhedron');
 }
 
 customElements.define('whittle-gallery', WhittleGallery);

@@ -72,9 +72,12 @@ function byKey(event: KeyboardEvent): Shortcut | undefined {
   return shortcuts.find(({ key }) => key === event.key.toLowerCase());
 }
 
+/** Where letters are meant for the field; sliders, switches and boxes have no use for them. */
+const typing = 'input:not([type=range], [type=radio], [type=checkbox]), textarea, select, [contenteditable]';
+
 function isTyping({ target }: KeyboardEvent): boolean {
   const element = target as { matches?: (selector: string) => boolean } | null;
-  return element?.matches?.('input:not([type=range]), textarea, select, [contenteditable]') ?? false;
+  return element?.matches?.(typing) ?? false;
 }
 
 function inDialog(target: Document): boolean {
