@@ -25,8 +25,9 @@ void scatterTile(Lanes x, Lanes y, Lanes z, const SolvePanel& panel, Index tile,
 template <int kTiles>
 void forwardTiles(const SolvePanel& panel, Index first, const LaneRow* own, LaneRow* rhs) {
   const TileColumn* tiles = panel.tile(first);
+  const Index columns = std::min(panel.columns, 4 * (first + kTiles));  // L11⁻¹ is lower triangular
   Lanes x[kTiles] = {}, y[kTiles] = {}, z[kTiles] = {};
-  for (Index j = 0; j < panel.columns; ++j, ++tiles) {
+  for (Index j = 0; j < columns; ++j, ++tiles) {
     const Lanes ownX = loadSplat(&own[j].x), ownY = loadSplat(&own[j].y), ownZ = loadSplat(&own[j].z);
     for (int t = 0; t < kTiles; ++t) {
       const Lanes p = load(tiles + t * static_cast<std::ptrdiff_t>(panel.columns));
@@ -51,9 +52,11 @@ void gatherTiles(const SolvePanel& panel, const LaneRow* rhs, LaneRow* lanes) {
 /// Backward products of some columns, which share each gathered row.
 template <int kColumns>
 void backwardColumns(const SolvePanel& panel, Index first, const LaneRow* lanes, LaneRow* own) {
-  const TileColumn* tiles = panel.tiles + first;
+  const Index top = first / 4;  // L11⁻¹ is lower triangular
+  const TileColumn* tiles = panel.tile(top) + first;
+  lanes += 3 * top;
   Lanes x[4] = {}, y[4] = {}, z[4] = {};
-  for (Index tile = 0; tile < panel.tileCount(); ++tile, tiles += panel.columns, lanes += 3) {
+  for (Index tile = top; tile < panel.tileCount(); ++tile, tiles += panel.columns, lanes += 3) {
     const Lanes rowX = load(lanes), rowY = load(lanes + 1), rowZ = load(lanes + 2);
     for (int j = 0; j < kColumns; ++j) {
       const Lanes p = load(tiles + j);
