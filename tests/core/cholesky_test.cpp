@@ -99,7 +99,11 @@ TEST_CASE("dense fronts: factor and inverse panels against Eigen") {
       for (Index j = 0; j <= i; ++j) A(i, j) = A(j, i) = noise();
     }
     A.diagonal().array() += 2 * height;
-    Eigen::MatrixXd panel = A.leftCols(columns);
+    // Columns of garbage stand for the padding: nothing of it may get in.
+    constexpr double kGarbage = std::numeric_limits<double>::quiet_NaN();
+    Eigen::MatrixXd padded = Eigen::MatrixXd::Constant(height, columns + kFrontPadding, kGarbage);
+    auto panel = padded.leftCols(columns);
+    panel = A.leftCols(columns);
     REQUIRE(factorPanel(panel.data(), height, columns));
 
     const Eigen::MatrixXd corner = A.topLeftCorner(columns, columns);
@@ -110,8 +114,10 @@ TEST_CASE("dense fronts: factor and inverse panels against Eigen") {
     CHECK((lower - L11).norm() < 1e-12 * L11.norm());
     CHECK((panel.bottomRows(height - columns) - L21).norm() < 1e-12 * (1 + L21.norm()));
 
-    Eigen::MatrixXd inverse(height, columns), scratch(columns, columns);
-    invertPanel(panel.data(), inverse.data(), scratch.data(), height, columns);
+    Eigen::MatrixXd paddedInverse = Eigen::MatrixXd::Constant(height, columns + kFrontPadding, kGarbage);
+    Eigen::MatrixXd scratch = Eigen::MatrixXd::Constant(columns, columns + kFrontPadding, kGarbage);
+    const auto inverse = paddedInverse.leftCols(columns);
+    invertPanel(panel.data(), paddedInverse.data(), scratch.data(), height, columns);
     CHECK((inverse.topRows(columns) - inverse11).norm() < 1e-12 * inverse11.norm());
     CHECK((inverse.bottomRows(height - columns) + L21 * inverse11).norm() < 1e-12);
   }

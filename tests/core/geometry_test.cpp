@@ -126,17 +126,18 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
     for (const TriangleMesh& rest : {bent(sphere(1)), bent(grid(4)), moebiusStrip(9), fan(40)}) {
       const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
       const auto edges = makeEdgeSet(kind, rest, c);
+      const ElementRange all = edges->allElements();
       const std::vector<QuaternionLanes> rotations = noisyRotations(edges->elementCount());
       const std::vector<Mat3> R = matricesOf(rotations, edges->elementCount());
       const Points output = bent(rest).positions;
 
       std::vector<CovarianceLanes> M(rotations.size(), CovarianceLanes{});
       std::vector<LaneRow> residual(rest.vertexCount());
-      double energy = edges->gatherCovariances(output, M, residual);
+      double energy = edges->restEnergy() + edges->gatherCovariances(output, all, M.data(), residual);
       for (std::size_t b = 0; b < M.size(); ++b) energy -= sumOf(traces(rotations[b], M[b]));
       CHECK(energy == doctest::Approx(energyByDefinition(kind, rest, output, R)).epsilon(1e-6));
 
-      edges->addRotated(rotations, residual);
+      edges->addRotated(rotations, all, residual);
       const double visits = kind == EdgeSetKind::faces ? 1 : 3;
       const double h = 1e-5;
       for (Index v = 0; v < rest.vertexCount(); v += 5) {
@@ -151,11 +152,36 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
       }
       // The Hessian is the Laplacian: the residual changes by −L ΔV.
       std::vector<LaneRow> elsewhere(rest.vertexCount());
-      edges->gatherCovariances(rest.positions, M, elsewhere);
-      edges->addRotated(rotations, elsewhere);
+      edges->gatherCovariances(rest.positions, all, M.data(), elsewhere);
+      edges->addRotated(rotations, all, elsewhere);
       const Points change = denseLaplacian(rest) * (output - rest.positions);
       CHECK((toPoints(residual) - toPoints(elsewhere) + change).norm() < 1e-5);
     }
+  }
+}
+
+TEST_CASE("ranges of elements add up to all of them") {
+  for (const EdgeSetKind kind : {EdgeSetKind::spokesAndRims, EdgeSetKind::faces}) {
+    const TriangleMesh rest = bent(grid(4));
+    const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
+    const auto edges = makeEdgeSet(kind, rest, c);
+    const std::vector<QuaternionLanes> rotations = noisyRotations(edges->elementCount());
+    const Points output = bent(rest).positions;
+    const auto gather = [&](Index size, std::vector<CovarianceLanes>& M, std::vector<LaneRow>& residual) {
+      double energy = 0;
+      for (Index first = 0; first < edges->elementCount(); first += size) {
+        const ElementRange range{first, std::min(first + size, edges->elementCount())};
+        energy += edges->gatherCovariances(output, range, &M[range.firstBatch()], residual);
+        edges->addRotated(rotations, range, residual);
+      }
+      return energy;
+    };
+    std::vector<CovarianceLanes> M(rotations.size()), piecewise = M;
+    std::vector<LaneRow> residual(rest.vertexCount()), addedUp = residual;
+    const double energy = gather(edges->elementCount(), M, residual);
+    CHECK(gather(8, piecewise, addedUp) == doctest::Approx(energy).epsilon(1e-12));
+    CHECK(std::memcmp(M.data(), piecewise.data(), M.size() * sizeof(CovarianceLanes)) == 0);
+    CHECK((toPoints(residual) - toPoints(addedUp)).cwiseAbs().maxCoeff() < 1e-6);
   }
 }
 
@@ -164,13 +190,14 @@ TEST_CASE("the rest shape has no energy and asks for nothing") {
     for (const TriangleMesh& rest : {bent(sphere(2)), moebiusStrip(9), fan(200)}) {
       const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
       const auto edges = makeEdgeSet(kind, rest, c);
+      const ElementRange all = edges->allElements();
       const std::vector<QuaternionLanes> identity(batchCount(edges->elementCount()), identityRotations());
       std::vector<CovarianceLanes> M(identity.size(), CovarianceLanes{});
       std::vector<LaneRow> residual(rest.vertexCount());
-      double energy = edges->gatherCovariances(rest.positions, M, residual);
+      double energy = edges->restEnergy() + edges->gatherCovariances(rest.positions, all, M.data(), residual);
       for (std::size_t b = 0; b < M.size(); ++b) energy -= sumOf(traces(identity[b], M[b]));
       CHECK(std::abs(energy) < 1e-13);
-      edges->addRotated(identity, residual);
+      edges->addRotated(identity, all, residual);
       CHECK(toPoints(residual).cwiseAbs().maxCoeff() < 1e-5);
     }
   }

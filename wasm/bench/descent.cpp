@@ -50,7 +50,7 @@ Descent descend(const Problem& problem, double seconds, double enough) {
   return run;
 }
 
-Descent descendPlainly(const Problem& problem, double seconds) {
+Descent descendPlainly(const Problem& problem, double seconds, double enough) {
   Descent run;
   double clock = 0;
   PlainLocalGlobal plain(problem.mesh, problem.plain);
@@ -61,7 +61,8 @@ Descent descendPlainly(const Problem& problem, double seconds) {
   });
   const double prepared = clock;
   for (bool last = false; !last;) {
-    last = run.stop >= 0 || clock - prepared > 1000 * seconds;  // one local step more, for the energy at the end
+    // One local step more, for the energy at the end.
+    last = (run.stop >= 0 && run.energies.back() <= enough) || clock - prepared > 1000 * seconds;
     run.times.push_back(clock);
     clock += timed([&] { plain.localStep(positions); });
     run.energies.push_back(plain.energy(positions));
@@ -73,7 +74,7 @@ Descent descendPlainly(const Problem& problem, double seconds) {
       plain.solve(positions);
       change = relativeDisplacement(before, positions, problem.mesh.positions);
     });
-    if (change <= kPaperStop) run.stop = static_cast<int>(run.energies.size());
+    if (run.stop < 0 && change <= kPaperStop) run.stop = static_cast<int>(run.energies.size());
   }
   return run;
 }

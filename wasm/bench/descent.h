@@ -22,8 +22,8 @@ struct Descent {
 /// The core, run until its energy rests, or is as low as `enough` behind the papers' stop, or the time is over.
 Descent descend(const Problem& problem, double seconds, double enough = 0);
 
-/// The yardstick, run to the papers' stop or until the time is over, preparing not counted. Energies are worked out off the
-/// clock.
-Descent descendPlainly(const Problem& problem, double seconds);
+/// The yardstick, run until it is as low as `enough` behind the papers' stop or the time is over, preparing not counted. Energies are
+/// worked out off the clock.
+Descent descendPlainly(const Problem& problem, double seconds, double enough);
 
 }  // namespace whittle::bench

@@ -85,14 +85,28 @@ inline bool all(LaneMask mask) { return !any(~mask); }
 
 inline double sumOf(DoubleLanes v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
+/// a0 b0 a1 b1 and a2 b2 a3 b3; a0 a1 b0 b1 and a2 a3 b2 b3. As shuffles that the compiler does not see through: it would melt
+/// several into one that no machine has, and the browser then makes a dozen instructions of it.
+#if defined(__wasm_simd128__)
+inline Lanes interleaveLow(Lanes a, Lanes b) { return (Lanes)wasm_i32x4_shuffle((v128_t)a, (v128_t)b, 0, 4, 1, 5); }
+inline Lanes interleaveHigh(Lanes a, Lanes b) { return (Lanes)wasm_i32x4_shuffle((v128_t)a, (v128_t)b, 2, 6, 3, 7); }
+inline Lanes joinLow(Lanes a, Lanes b) { return (Lanes)wasm_i64x2_shuffle((v128_t)a, (v128_t)b, 0, 2); }
+inline Lanes joinHigh(Lanes a, Lanes b) { return (Lanes)wasm_i64x2_shuffle((v128_t)a, (v128_t)b, 1, 3); }
+#else
+inline Lanes interleaveLow(Lanes a, Lanes b) { return Lanes{a[0], b[0], a[1], b[1]}; }
+inline Lanes interleaveHigh(Lanes a, Lanes b) { return Lanes{a[2], b[2], a[3], b[3]}; }
+inline Lanes joinLow(Lanes a, Lanes b) { return Lanes{a[0], a[1], b[0], b[1]}; }
+inline Lanes joinHigh(Lanes a, Lanes b) { return Lanes{a[2], a[3], b[2], b[3]}; }
+#endif
+
 /// Rows become columns: of four vectors, the first lanes, the second lanes, …
 inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
-  const Lanes ab0{a[0], b[0], a[1], b[1]}, ab1{a[2], b[2], a[3], b[3]};
-  const Lanes cd0{c[0], d[0], c[1], d[1]}, cd1{c[2], d[2], c[3], d[3]};
-  a = Lanes{ab0[0], ab0[1], cd0[0], cd0[1]};
-  b = Lanes{ab0[2], ab0[3], cd0[2], cd0[3]};
-  c = Lanes{ab1[0], ab1[1], cd1[0], cd1[1]};
-  d = Lanes{ab1[2], ab1[3], cd1[2], cd1[3]};
+  const Lanes ab0 = interleaveLow(a, b), ab1 = interleaveHigh(a, b);
+  const Lanes cd0 = interleaveLow(c, d), cd1 = interleaveHigh(c, d);
+  a = joinLow(ab0, cd0);
+  b = joinHigh(ab0, cd0);
+  c = joinLow(ab1, cd1);
+  d = joinHigh(ab1, cd1);
 }
 
 /// Sums of the lanes of four vectors.

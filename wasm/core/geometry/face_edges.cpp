@@ -22,26 +22,25 @@ FaceEdges::FaceEdges(const TriangleMesh& rest, const CornerScalars& halfCotangen
   // What makes the energy of the rest shape zero.
   std::vector<CovarianceLanes> covariances(batchCount(rest.faceCount()));
   std::vector<LaneRow> residual(rest.vertexCount());
-  const double outputEnergy = gatherCovariances(rest.positions, covariances, residual);
+  const double outputEnergy = gatherCovariances(rest.positions, allElements(), covariances.data(), residual);
   for (Index f = 0; f < rest.faceCount(); ++f) {
     for (int i = 0; i < 3; ++i) restEnergy_ += covariances[f / 4].m[i][i][f % 4];
   }
   restEnergy_ -= outputEnergy;
 }
 
-double FaceEdges::gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
+double FaceEdges::gatherCovariances(const Points& output, ElementRange range, CovarianceLanes* covariances,
                                     std::vector<LaneRow>& residual) const {
   double outputEnergy = 0;
-  std::fill(residual.begin(), residual.end(), LaneRow{});
-  const Index faceCount = elementCount();
-  for (Index f = 0; f < faceCount; ++f) {
+  covariances[range.endBatch() - range.firstBatch() - 1] = {};  // what fills up the last batch
+  for (Index f = range.first; f < range.end; ++f) {
     const auto corners = triangles_.row(f);
     const auto c = halfCotangents_.row(f);
     const Vec3 first = output.row(corners[0]).transpose();
     const Vec3 toSecond = output.row(corners[1]).transpose() - first, toThird = output.row(corners[2]).transpose() - first;
     const Vec3 across = toThird - toSecond;
     outputEnergy += c[0] * across.squaredNorm() + c[1] * toThird.squaredNorm() + c[2] * toSecond.squaredNorm();
-    setMatrix(covariances[f / 4], f % 4,
+    setMatrix(covariances[(f - range.first) / 4], f % 4,
               2 * (vectorOf(gradients_[2 * f]) * toSecond.transpose() + vectorOf(gradients_[2 * f + 1]) * toThird.transpose()));
     // Changes of the edges, for the residual.
     const Vec3 restFirst = restPositions_.row(corners[0]).transpose();
@@ -52,15 +51,14 @@ double FaceEdges::gatherCovariances(const Points& output, std::vector<Covariance
     add(residual[corners[1]], toRow(second));
     add(residual[corners[2]], toRow(third));
   }
-  return restEnergy_ + outputEnergy;
+  return outputEnergy;
 }
 
-void FaceEdges::addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+void FaceEdges::addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths, ElementRange range,
                            std::vector<LaneRow>& residual) const {
-  const Index faceCount = elementCount();
-  for (Index f = 0; f < faceCount; f += 4) {
+  for (Index f = range.first; f < range.end; f += 4) {
     const MatrixLanes R = turnAt(rotations, growths, f / 4);
-    for (Index lane = 0; lane < std::min<Index>(4, faceCount - f); ++lane) {
+    for (Index lane = 0; lane < std::min<Index>(4, range.end - f); ++lane) {
       const auto column = [&](int c) { return Lanes{R.m[0][c][lane], R.m[1][c][lane], R.m[2][c][lane], 0}; };
       const Lanes x = column(0), y = column(1), z = column(2);
       const LaneRow &g1 = gradients_[2 * (f + lane)], &g2 = gradients_[2 * (f + lane) + 1];

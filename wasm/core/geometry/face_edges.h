@@ -11,9 +11,10 @@ class FaceEdges : public EdgeSet {
   FaceEdges(const TriangleMesh& rest, const CornerScalars& halfCotangents);
 
   Index elementCount() const override { return triangles_.rows(); }
-  double gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
+  double restEnergy() const override { return restEnergy_; }
+  double gatherCovariances(const Points& output, ElementRange range, CovarianceLanes* covariances,
                            std::vector<LaneRow>& residual) const override;
-  void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+  void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths, ElementRange range,
                   std::vector<LaneRow>& residual) const override;
 
  private:

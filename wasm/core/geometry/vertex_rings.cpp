@@ -6,7 +6,8 @@ namespace whittle {
 
 namespace {
 
-constexpr double kVisits = 3;  // elements that see each face: its corners
+constexpr double kVisits = 3;           // elements that see each face: its corners
+constexpr double kScale = 2 * kVisits;  // of ring sums that makes covariances of them
 
 typedef double Pair __attribute__((vector_size(16)));
 
@@ -14,6 +15,14 @@ Pair loadPair(const double* p) {
   Pair v;
   std::memcpy(&v, p, sizeof v);
   return v;
+}
+
+/// Two numbers in single precision, made wide.
+Pair loadSinglePair(const float* p) {
+  typedef float Half __attribute__((vector_size(8)));
+  Half v;
+  std::memcpy(&v, p, sizeof v);
+  return __builtin_convertvector(v, Pair);
 }
 
 /// Faces of each vertex.
@@ -36,7 +45,7 @@ VertexRings::VertexRings(const TriangleMesh& rest, const CornerScalars& halfCota
   std::vector<CovarianceLanes> covariances(batchCount(rest.vertexCount()));
   std::vector<LaneRow> residual(rest.vertexCount());
   restPull_ = Points::Zero(rest.vertexCount(), 3);
-  const double outputEnergy = gatherCovariances(rest.positions, covariances, residual);
+  const double outputEnergy = gatherCovariances(rest.positions, allElements(), covariances.data(), residual);
   for (Index k = 0; k < rest.vertexCount(); ++k) restPull_.row(k) = sumRing(rest.positions, k).pull().transpose();
   for (Index k = 0; k < rest.vertexCount(); ++k) {
     for (int i = 0; i < 3; ++i) restEnergy_ += covariances[k / 4].m[i][i][k % 4];
@@ -81,49 +90,63 @@ void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& ha
 
 VertexRings::RingSums VertexRings::sumRing(const Points& output, Index k) const {
   const double* xk = output.data() + 3 * static_cast<std::ptrdiff_t>(k);
-  const Pair kxy = loadPair(xk), kyz = loadPair(xk + 1);
-  Pair xxy{}, xyz{}, yxy{}, yyz{}, zxy{}, zyz{}, wxy{}, wyz{};
+  const Pair kxy = loadPair(xk), kz{xk[2], xk[2]};
+  Pair x{}, y{}, z{}, pull{}, xyAtZ{}, zPullAtZ{};
   for (Index p = start_[k]; p < start_[k + 1]; ++p) {
     const Spoke& spoke = spokes_[p];
     const double* xj = output.data() + 3 * static_cast<std::ptrdiff_t>(spoke.neighbour);
-    const Pair uxy = loadPair(xj) - kxy, uyz = loadPair(xj + 1) - kyz;
-    const double x = spoke.x, y = spoke.y, z = spoke.z, w = weights_[p];
-    xxy += x * uxy, xyz += x * uyz;
-    yxy += y * uxy, yyz += y * uyz;
-    zxy += z * uxy, zyz += z * uyz;
-    wxy += w * uxy, wyz += w * uyz;
+    const Pair uxy = loadPair(xj) - kxy, uz = Pair{xj[2], xj[2]} - kz;
+    const Pair gxy = loadSinglePair(&spoke.x), gz = Pair{spoke.z, spoke.z}, w{weights_[p], weights_[p]};
+    x += Pair{gxy[0], gxy[0]} * uxy;
+    y += Pair{gxy[1], gxy[1]} * uxy;
+    z += gz * uxy;
+    pull += w * uxy;
+    xyAtZ += gxy * uz;
+    zPullAtZ += Pair{gz[0], w[0]} * uz;
   }
-  return {{xxy, yxy, zxy, wxy}, {xyz, yyz, zyz, wyz}};
+  return {{x, y, z, pull}, {xyAtZ, zPullAtZ}};
 }
 
-double VertexRings::gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
+void VertexRings::storeCovariances(const RingSums* sums, CovarianceLanes& covariances) {
+  const auto put = [&](int i, int j, Pair first, Pair second) {
+    const Pair halves[] = {kScale * first, kScale * second};
+    std::memcpy(&covariances.m[i][j], halves, sizeof halves);
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Pair a = sums[0].xy[i], b = sums[1].xy[i], c = sums[2].xy[i], d = sums[3].xy[i];
+    put(i, 0, Pair{a[0], b[0]}, Pair{c[0], d[0]});
+    put(i, 1, Pair{a[1], b[1]}, Pair{c[1], d[1]});
+  }
+  const auto z = [&](int lane, int i) { return sums[lane].z[i / 2][i % 2]; };
+  for (int i = 0; i < 3; ++i) put(i, 2, Pair{z(0, i), z(1, i)}, Pair{z(2, i), z(3, i)});
+}
+
+double VertexRings::gatherCovariances(const Points& output, ElementRange range, CovarianceLanes* covariances,
                                       std::vector<LaneRow>& residual) const {
-  constexpr double kScale = 2 * kVisits;
   double outputEnergy = 0;
-  for (Index k = 0; k < elementCount(); ++k) {
-    const RingSums sums = sumRing(output, k);
-    for (int i = 0; i < 3; ++i) {
-      auto& row = covariances[k / 4].m[i];
-      row[0][k % 4] = kScale * sums.xy[i][0], row[1][k % 4] = kScale * sums.xy[i][1], row[2][k % 4] = kScale * sums.yz[i][1];
+  for (Index first = range.first; first < range.end; first += 4, ++covariances) {
+    RingSums sums[4] = {};
+    for (Index k = first; k < std::min(first + 4, range.end); ++k) {
+      const RingSums& ring = sums[k - first] = sumRing(output, k);
+      const Vec3 pull = ring.pull(), change = pull - restPull_.row(k).transpose();
+      store(&residual[k], load(&residual[k]) + Lanes{float(change.x()), float(change.y()), float(change.z()), 0});
+      outputEnergy -= output.row(k) * pull;
     }
-    const Vec3 pull = sums.pull();
-    setRow(residual[k], pull - restPull_.row(k).transpose());
-    outputEnergy -= output.row(k) * pull;
+    storeCovariances(sums, *covariances);
   }
-  return restEnergy_ + kVisits * outputEnergy;
+  return kVisits * outputEnergy;
 }
 
-void VertexRings::addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+void VertexRings::addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths, ElementRange range,
                              std::vector<LaneRow>& residual) const {
-  const Index vertexCount = elementCount();
-  for (Index k = 0; k < vertexCount; k += 4) {
+  for (Index k = range.first; k < range.end; k += 4) {
     const MatrixLanes R = turnAt(rotations, growths, k / 4);
     Lanes columns[3][4];
     for (int c = 0; c < 3; ++c) {
       columns[c][0] = R.m[0][c], columns[c][1] = R.m[1][c], columns[c][2] = R.m[2][c], columns[c][3] = splat(0);
       transpose(columns[c][0], columns[c][1], columns[c][2], columns[c][3]);
     }
-    for (Index lane = 0; lane < std::min<Index>(4, vertexCount - k); ++lane) {
+    for (Index lane = 0; lane < std::min<Index>(4, range.end - k); ++lane) {
       const Lanes x = columns[0][lane], y = columns[1][lane], z = columns[2][lane];
       Lanes own = splat(0);
       for (Index p = start_[k + lane]; p < start_[k + lane + 1]; ++p) {

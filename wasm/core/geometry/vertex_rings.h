@@ -11,9 +11,10 @@ class VertexRings : public EdgeSet {
   VertexRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
 
   Index elementCount() const override { return static_cast<Index>(start_.size()) - 1; }
-  double gatherCovariances(const Points& output, std::vector<CovarianceLanes>& covariances,
+  double restEnergy() const override { return restEnergy_; }
+  double gatherCovariances(const Points& output, ElementRange range, CovarianceLanes* covariances,
                            std::vector<LaneRow>& residual) const override;
-  void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths,
+  void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths, ElementRange range,
                   std::vector<LaneRow>& residual) const override;
 
  private:
@@ -25,14 +26,17 @@ class VertexRings : public EdgeSet {
     Index neighbour;  // j
   };
 
-  /// Σ_j Ĝ_kj (x_j − x_k)ᵀ, row by row, and Σ_j w_kj (x_j − x_k) = −L V at a vertex, as two overlapping pairs of columns.
+  /// Σ_j Ĝ_kj (x_j − x_k)ᵀ, row by row, and as a fourth row Σ_j w_kj (x_j − x_k) = −L V, at a vertex. Packed so that no half of a
+  /// pair is wasted: x and y of each row, z of two rows.
   struct RingSums {
-    Pair xy[4], yz[4];
+    Pair xy[4], z[2];
 
-    Vec3 pull() const { return {xy[3][0], xy[3][1], yz[3][1]}; }
+    Vec3 pull() const { return {xy[3][0], xy[3][1], z[1][1]}; }
   };
 
   RingSums sumRing(const Points& output, Index k) const;
+  /// The first three rows of four vertices, times what makes them covariances, one vertex a lane.
+  static void storeCovariances(const RingSums* sums, CovarianceLanes& covariances);
   void collectRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
 
   std::vector<Index> start_;     // #V + 1

@@ -11,7 +11,7 @@ namespace {
 /// Two lanes: what both SSE2 and wasm SIMD have.
 typedef double Lanes __attribute__((vector_size(16)));
 
-constexpr Index kTile = 4;    // rows and columns of a register tile: 8 accumulators
+constexpr Index kTile = kFrontPadding + 1;  // rows and columns of a register tile: 8 accumulators
 constexpr Index kBlock = 24;  // columns factored at a time, so that a block of the panel stays in the first cache
 
 Lanes load(const double* p) {
@@ -20,39 +20,33 @@ Lanes load(const double* p) {
   return v;
 }
 
-void subtract(double* p, Lanes v) {
-  v = load(p) - v;
-  std::memcpy(p, &v, sizeof v);
-}
+/// A 4×4 tile of A Bᵀ, a column in each pair of lanes.
+struct Tile {
+  Lanes low[kTile] = {}, high[kTile] = {};
 
-void subtractTile(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index depth) {
-  Lanes low0{}, low1{}, low2{}, low3{}, high0{}, high1{}, high2{}, high3{};
-  for (Index l = 0; l < depth; ++l, A += ldA, B += ldB) {
-    const Lanes low = load(A), high = load(A + 2);
-    const Lanes b0{B[0], B[0]}, b1{B[1], B[1]}, b2{B[2], B[2]}, b3{B[3], B[3]};
-    low0 += low * b0;
-    high0 += high * b0;
-    low1 += low * b1;
-    high1 += high * b1;
-    low2 += low * b2;
-    high2 += high * b2;
-    low3 += low * b3;
-    high3 += high * b3;
-  }
-  subtract(C, low0), subtract(C + 2, high0);
-  subtract(C + ldC, low1), subtract(C + ldC + 2, high1);
-  subtract(C + 2 * ldC, low2), subtract(C + 2 * ldC + 2, high2);
-  subtract(C + 3 * ldC, low3), subtract(C + 3 * ldC + 2, high3);
-}
-
-void subtractEdge(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index rows, Index columns,
-                  Index depth) {
-  for (Index j = 0; j < columns; ++j) {
-    for (Index i = 0; i < rows; ++i) {
-      double sum = 0;
-      for (Index l = 0; l < depth; ++l) sum += A[i + l * ldA] * B[j + l * ldB];
-      C[i + j * ldC] -= sum;
+  Tile(const double* A, Index ldA, const double* B, Index ldB, Index depth) {
+    for (Index l = 0; l < depth; ++l, A += ldA, B += ldB) {
+      const Lanes a = load(A), b = load(A + 2);
+      for (int j = 0; j < kTile; ++j) {
+        const Lanes factor{B[j], B[j]};
+        low[j] += a * factor, high[j] += b * factor;
+      }
     }
+  }
+};
+
+void subtractTile(double* C, Index ldC, const Tile& tile) {
+  for (int j = 0; j < kTile; ++j, C += ldC) {
+    const Lanes column[] = {load(C) - tile.low[j], load(C + 2) - tile.high[j]};
+    std::memcpy(C, column, sizeof column);
+  }
+}
+
+/// Of a tile at the edge only what lies inside.
+void subtractPart(double* C, Index ldC, const Tile& tile, Index rows, Index columns) {
+  for (Index j = 0; j < columns; ++j, C += ldC) {
+    const double column[] = {tile.low[j][0], tile.low[j][1], tile.high[j][0], tile.high[j][1]};
+    for (Index i = 0; i < rows; ++i) C[i] -= column[i];
   }
 }
 
@@ -91,11 +85,12 @@ void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const dou
     const Index width = std::min(kTile, columns - j);
     for (Index i = lowerOnly ? j : 0; i < rows; i += kTile) {
       const Index height = std::min(kTile, rows - i);
-      double* tile = C + i + static_cast<std::ptrdiff_t>(j) * ldC;
+      double* place = C + i + static_cast<std::ptrdiff_t>(j) * ldC;
+      const Tile tile(A + i, ldA, B + j, ldB, depth);
       if (width == kTile && height == kTile) {
-        subtractTile(tile, ldC, A + i, ldA, B + j, ldB, depth);
+        subtractTile(place, ldC, tile);
       } else {
-        subtractEdge(tile, ldC, A + i, ldA, B + j, ldB, height, width, depth);
+        subtractPart(place, ldC, tile, height, width);
       }
     }
   }

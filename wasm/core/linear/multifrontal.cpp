@@ -20,9 +20,9 @@ void Multifrontal::begin(const Supernodes& supernodes, std::size_t peakUpdates) 
     largestFront = std::max(largestFront, columns * supernodes.height(s));
     widest = std::max(widest, columns);
   }
-  front_.resize(largestFront);
-  inverse_.resize(largestFront);
-  scratch_.resize(widest * widest);
+  front_.resize(largestFront + kFrontPadding);
+  inverse_.resize(largestFront + kFrontPadding);
+  scratch_.resize(widest * widest + kFrontPadding);
 }
 
 double* Multifrontal::open(Index s) {

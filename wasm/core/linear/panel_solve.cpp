@@ -72,13 +72,19 @@ void backwardColumns(const SolvePanel& panel, Index first, const LaneRow* lanes,
 }  // namespace
 
 void packTiles(const double* panel, Index height, Index columns, TileColumn* tiles) {
-  for (Index tile = 0; tile * 4 < height; ++tile) {
-    for (Index j = 0; j < columns; ++j, ++tiles) {
-      for (Index lane = 0; lane < 4; ++lane) {
-        const Index row = 4 * tile + lane;
-        tiles->rows[lane] = row < height ? static_cast<float>(panel[row + static_cast<std::ptrdiff_t>(j) * height]) : 0.0f;
-      }
+  const Index wholeTiles = height / 4, rest = height % 4;
+  for (Index tile = 0; tile < wholeTiles; ++tile) {
+    const double* column = panel + 4 * tile;
+    for (Index j = 0; j < columns; ++j, ++tiles, column += height) {
+      DoubleLanes rows;
+      std::memcpy(&rows, column, sizeof rows);
+      store(tiles, toSingle(rows));
     }
+  }
+  if (rest == 0) return;
+  const double* column = panel + 4 * wholeTiles;
+  for (Index j = 0; j < columns; ++j, ++tiles, column += height) {
+    for (Index lane = 0; lane < 4; ++lane) tiles->rows[lane] = lane < rest ? static_cast<float>(column[lane]) : 0.0f;
   }
 }
 

@@ -14,7 +14,7 @@ constexpr double kSmallestScale = 1e-3;
 void FreeScales::prepare(const EdgeSet& edges, const Points& rest, const Scalars& pullWeights) {
   std::vector<CovarianceLanes> covariances(weights_.size(), CovarianceLanes{});
   std::vector<LaneRow> residual(rest.rows());
-  edges.gatherCovariances(rest, covariances, residual);
+  edges.gatherCovariances(rest, edges.allElements(), covariances.data(), residual);
   for (std::size_t b = 0; b < weights_.size(); ++b) weights_[b] = 0.5 * traces(identityRotations(), covariances[b]);
   for (Index k = 0; k < pullWeights.size(); ++k) weights_[k / 4][k % 4] += pullWeights[k];
 }

@@ -16,6 +16,9 @@ constexpr double kNoMove = 1e-7;
 /// Share of the energy that the regularizers' single precision decides.
 constexpr double kRounding = 1e-7;
 
+/// Elements that go through the local step together: as many as the nearest cache holds all of.
+constexpr Index kBlock = 64;
+
 const std::vector<Lanes> kNoGrowths;
 
 enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance, kMaxIterations };
@@ -63,7 +66,7 @@ void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) 
 void LocalGlobal::claimRunningState() {
   const Index vertexCount = rest_->mesh.vertexCount();
   for (auto* rotations : {&guess_, &rotations_}) rotations->assign(batchCount(edges_->elementCount()), identityRotations());
-  covariances_.assign(batchCount(edges_->elementCount()), {});
+  covariances_.resize(batchCount(kBlock));
   residual_.resize(vertexCount);
   previous_.resize(vertexCount, 3);
   acceleration_.resize(vertexCount);
@@ -119,12 +122,26 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 
 double LocalGlobal::localStep(const Points& positions, bool neverWorse) {
   localStep_->observe(positions);
-  double energy = edges_->gatherCovariances(positions, covariances_, residual_) + localStep_->pullEnergy();
-  for (std::size_t b = 0; b < rotations_.size(); ++b) {
+  std::fill(residual_.begin(), residual_.end(), LaneRow{});
+  double energy = edges_->restEnergy() + localStep_->pullEnergy();
+  const Index count = edges_->elementCount();
+  for (Index first = 0; first < count; first += kBlock) {
+    const ElementRange block{first, std::min(first + kBlock, count)};
+    energy += edges_->gatherCovariances(positions, block, covariances_.data(), residual_);
+    energy += fitBlock(block, neverWorse);
+    edges_->addSimilar(rotations_, scales_ ? scales_->growths() : kNoGrowths, block, residual_);
+  }
+  return energy;
+}
+
+double LocalGlobal::fitBlock(ElementRange block, bool neverWorse) {
+  double energy = 0;
+  for (std::size_t b = block.firstBatch(); b < block.endBatch(); ++b) {
+    CovarianceLanes& M = covariances_[b - block.firstBatch()];
     rotations_[b] = guess_[b];
-    localStep_->pull(b, covariances_[b]);
-    const Lanes regularizers = localStep_->fit(b, ScaledCovariances(covariances_[b]), neverWorse, rotations_[b]);
-    const DoubleLanes gains = traces(rotations_[b], covariances_[b]);
+    localStep_->pull(b, M);
+    const Lanes regularizers = localStep_->fit(b, ScaledCovariances(M), neverWorse, rotations_[b]);
+    const DoubleLanes gains = traces(rotations_[b], M);
     energy += sumOf(toDouble(regularizers) - gains);
     if (scales_) energy += scales_->fit(b, gains);
   }
@@ -132,20 +149,21 @@ double LocalGlobal::localStep(const Points& positions, bool neverWorse) {
 }
 
 void LocalGlobal::globalStep(const Points& from, Points& positions) {
-  edges_->addSimilar(rotations_, scales_ ? scales_->growths() : kNoGrowths, residual_);
   system_.correct(residual_, from, positions);
   gauge_->restoreCentroids(positions);
 }
 
 double LocalGlobal::relativeDisplacement(const Points& positions) const {
   const Points &start = acceleration_.start(), &rest = rest_->mesh.positions;
-  double move = 0, way = 0;  // squared
+  double move = 0, way = 0, sum = 0;  // squared
   for (Index v = 0; v < positions.rows(); ++v) {
     const auto x = positions.row(v);
+    const double fromRest = (x - rest.row(v)).squaredNorm();
     move = std::max({move, (x - start.row(v)).squaredNorm(), (x - previous_.row(v)).squaredNorm()});
-    way = std::max(way, (x - rest.row(v)).squaredNorm());
+    way = std::max(way, fromRest);
+    sum += fromRest;  // a maximum does not see what is not a number
   }
-  if (!positions.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(sum)) return std::numeric_limits<double>::quiet_NaN();
   return move <= kNoMove * kNoMove ? 0 : std::sqrt(move / way);
 }
 

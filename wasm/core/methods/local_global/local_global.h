@@ -33,8 +33,11 @@ class LocalGlobal : public Method {
   void prepareRestShape(const TriangleMesh& rest, Rigidity rigidity);
   void claimRunningState();
   Status prepareSystem(const Handles& handles);
-  /// Fits the rotations to the positions, on demand none of them worse than it was; returns the energy.
+  /// Fits the rotations to the positions, on demand none of them worse than it was, and leaves the residual of the global step; returns
+  /// the energy.
   double localStep(const Points& positions, bool neverWorse);
+  /// The same for elements whose covariances are there; returns what the rotations change in the energy.
+  double fitBlock(ElementRange block, bool neverWorse);
   /// Moves `from` to the minimum for the rotations.
   void globalStep(const Points& from, Points& positions);
   /// The longest move of a vertex as a share of the longest way from rest. Of an accelerated iteration both moves must be
@@ -62,8 +65,8 @@ class LocalGlobal : public Method {
   std::vector<QuaternionLanes> guess_;  // rotations of the iteration before, which made the present positions
   std::vector<QuaternionLanes> rotations_;
   std::optional<FreeScales> scales_;  // where the policy frees them
-  std::vector<CovarianceLanes> covariances_;
-  std::vector<LaneRow> residual_;
+  std::vector<CovarianceLanes> covariances_;  // of one block
+  std::vector<LaneRow> residual_;             // b − L V, #V
   Points previous_;
   Acceleration acceleration_;
   double energy_ = 0;  // of the point that the last iteration started from
