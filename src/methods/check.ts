@@ -92,12 +92,20 @@ function scalarsProblem({ min, max }: ScalarsParameter, value: unknown): string 
 /** Whether its numbers make sense is for the core. */
 function styleProblem(value: unknown): string | undefined {
   if (typeof value === 'string' && value !== '') return undefined;
+  if (Array.isArray(value)) return directionsProblem(value);
   const { kind, normals, points, triangles, per } = (value ?? {}) as Partial<Record<string, unknown>>;
   const hasNormals = normals instanceof Float64Array && normals.length % 3 === 0;
   if (kind === 'closest' && hasNormals) return undefined;
   const hasSphere = points instanceof Float64Array && triangles instanceof Uint32Array;
   if (kind === 'sphere' && hasNormals && hasSphere && (per === 'vertex' || per === 'face')) return undefined;
-  return `must name a primitive, a style mesh or a file, or be a Gauss map, not ${show(value)}.`;
+  return `must name a primitive, a style mesh or a file, or be a list of directions or a Gauss map, not ${show(value)}.`;
+}
+
+function directionsProblem(value: readonly unknown[]): string | undefined {
+  const bad = value.findIndex((entry) => !isPoint(entry) || entry.every((part) => part === 0));
+  if (value.length > 0 && bad < 0) return undefined;
+  const found = bad < 0 ? 'it is empty' : `entry ${bad} is ${show(value[bad])}`;
+  return `must list directions [x, y, z] of finite numbers, not all of them zero; ${found}.`;
 }
 
 /** The rest of a sentence that begins with the parameter's name. */

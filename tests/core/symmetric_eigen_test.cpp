@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "geometry/symmetric_eigen.h"
 #include "support/shapes.h"

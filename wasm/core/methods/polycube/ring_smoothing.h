@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "base/types.h"
 
 namespace whittle {
@@ -18,10 +20,10 @@ class RingSmoothing {
   void smooth(double share, const Triangles& triangles, Points& positions);
 
  private:
-  Scalars acceptable_;              // #F, the quality below which a triangle is bad
-  std::vector<Index> neighbours_;   // #V, how many the ring sums hold; 0 on the rim
-  std::vector<bool> isBad_;         // #V
-  Points sums_;                     // #V×3
+  Scalars acceptable_;             // #F, the quality below which a triangle is bad
+  std::vector<Index> neighbours_;  // #V, how many the ring sums hold; 0 on the rim
+  std::vector<bool> isBad_;        // #V
+  Points sums_;                    // #V×3
 };
 
 }  // namespace whittle
