@@ -25,7 +25,7 @@ export const developable: MethodDescriptor = {
       label: 'Creases',
       doc: 'Share of the vertices, the most bent ones, that may stay bent; the others are to become flat. 1 makes many small pieces, less makes larger ones, 0 only smooths (App. E).',
       invalidates: 'weights',
-      default: 0.5,
+      default: 0.65,
       min: 0,
       max: 1,
       unit: '',
@@ -33,6 +33,6 @@ export const developable: MethodDescriptor = {
     },
     strengthByVertex(1000),
     handles,
-    iterations(100),
+    iterations(150),
   ],
 };

@@ -11,6 +11,7 @@ import type { GaussMap } from '../../src/methods/gauss-map.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
 import { startingLambda, startingStrength } from './starting-lambda.ts';
+import type { Shading } from './store.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
@@ -49,6 +50,11 @@ export function canTake(method: MethodDescriptor | undefined, map: GaussMap): bo
 export function styleOf(shaping: Shaping): ChosenStyle | null {
   const parameter = styleParameter(findMethod(shaping.method));
   return parameter ? shaping[parameter.name] : null;
+}
+
+/** How a method's results are looked at best: boxes and folded sheets by their faces. */
+export function usualShading(method: string | undefined): Shading {
+  return method === 'polycube' || method === 'developable' ? 'flat' : 'smooth';
 }
 
 /** What a method opens with on a mesh: its defaults, but for what depends on the mesh and the style. */

@@ -21,7 +21,7 @@ export class WhittleStatus extends PageElement {
     return html`
       <span class="pulse" aria-hidden="true"></span>
       <span class="sentence" aria-hidden="true">${sentence(this.state)}</span>
-      ${energy.length > 1 ? html`<span title="Energy, falling">${sparkline(energy)}</span>` : nothing}
+      ${energy.length > 1 ? html`<span title="Energy">${sparkline(energy)}</span>` : nothing}
       ${busy ? html`<button type="button" class="button small" data-act="cancel" title="Stop and keep what there is (Esc)" @click=${() => this.page.workspace.cancel()}>Cancel</button>` : nothing}
       <span class="hidden" role="status">${this.#spoken}</span>
     `;

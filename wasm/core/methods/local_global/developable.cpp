@@ -31,9 +31,9 @@ MethodInfo developableMethod() {
   };
   return {"developable",
           withIterations({{"lambda", ParameterKind::number, Stale::weights, 20, 0, 1000},
-                          {"creases", ParameterKind::number, Stale::weights, 0.5, 0, 1},
+                          {"creases", ParameterKind::number, Stale::weights, 0.65, 0, 1},
                           {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 1000}},
-                         100),
+                         150),
           create};
 }
 
