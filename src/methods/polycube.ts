@@ -20,7 +20,7 @@ export const polycube: MethodDescriptor = {
       name: 'lambda',
       kind: 'number',
       label: 'Pace',
-      doc: 'λ of Eq. 4: how far faces turn in one iteration. Each starts anew from what the last one left; slower keeps triangles better.',
+      doc: 'λ of Eq. 3: how far faces turn in one iteration. Each starts anew from what the last one left; slower keeps triangles better.',
       invalidates: 'targets',
       default: 1,
       min: 0,

@@ -59,6 +59,16 @@ describe('polycube', () => {
     await expect(
       engine.solve(mesh, { ...settings, parameters: { directions: [[0, 0, 1]] } }),
     ).rejects.toThrow(/is a list of directions, but the engine takes the style itself/);
+    const ball = {
+      kind: 'sphere',
+      points: mesh.positions,
+      triangles: mesh.triangles,
+      normals: mesh.positions,
+      per: 'vertex',
+    } as const;
+    await expect(engine.solve(mesh, { ...settings, parameters: { directions: ball } })).rejects.toThrow(
+      /“directions” must hold directions: those of a convex shape/,
+    );
     engine.dispose();
   });
 });
