@@ -9,6 +9,7 @@ import './panels/all.ts';
 import type { PageElement } from './panels/page-element.ts';
 import './styles/all.css';
 import { listenForDrops } from './tools/drop.ts';
+import { followMethod } from './tools/follow-method.ts';
 import { followLayout } from './tools/layout.ts';
 import { followOverlay } from './tools/overlay-paint.ts';
 import { Page } from './tools/page.ts';
@@ -31,6 +32,7 @@ const page = new Page({ store, workspace, styles, painter, display, viewer });
 
 followTheme(store, viewer);
 followOverlay(store, viewer);
+followMethod(page);
 for (const panel of document.querySelectorAll<PageElement>('[data-panel]')) panel.page = page;
 if (viewer) followLayout(viewer, element('#stage'), element('.sheet'), element('whittle-viewbar'));
 listenForDrops(page);

@@ -62,7 +62,7 @@ function valueHelp(parameter: ParameterDescriptor): { value: string; range: stri
         range: `[number, …] from ${parameter.min} to ${parameter.max}, default none`,
       };
     case 'style':
-      return { value: 'NAME|FILE', range: `default ${parameter.default}` };
+      return { value: 'NAME|FILE', range: `a FILE.json lists [[x, y, z], …]; default ${parameter.default}` };
     case 'handles':
       return { value: 'FILE.json', range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none' };
   }

@@ -1,49 +1,63 @@
 import { dirname, resolve } from 'node:path';
 import type { Engine } from '../engine/client.ts';
+import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh } from '../mesh/mesh.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
+import { checkParameters } from '../methods/check.ts';
+import type { Directions, MethodDescriptor, ParameterValues, StyleParameter } from '../methods/descriptor.ts';
 import type { GaussMap } from '../methods/gauss-map.ts';
 import { findMethod } from '../methods/registry.ts';
-import type { RecipeStep } from '../recipe/index.ts';
+import { parseJson, type RecipeStep } from '../recipe/index.ts';
 import { mapOfPixels } from '../styles/captures.ts';
 import { readPng } from '../styles/png.ts';
 import { type Mapping, resolveStyle, type StyleSource, styleNames } from '../styles/resolve.ts';
-import { readBytes } from './files.ts';
+import { flagOf } from './command.ts';
+import { readBytes, readText } from './files.ts';
 import { at, FileError } from './problems.ts';
 
 /**
- * A step's parameters as the engine takes them: the style, by name or file, as a Gauss map.
+ * A step's parameters as the engine takes them: the style, by name, file or list of directions, as a Gauss map.
  *
  * @param recipe whose folder the file is looked for from, or undefined for the working directory
  * @throws WhittleError, FileError
  */
 export async function withStyle(
   engine: Engine,
-  { method, parameters }: RecipeStep,
+  { method: id, parameters }: RecipeStep,
   recipe: string | undefined,
 ): Promise<ParameterValues> {
-  const descriptor = findMethod(method)?.parameters.find(({ kind }) => kind === 'style');
-  if (descriptor?.kind !== 'style') return parameters;
-  const { style = descriptor.default, mapping = 'auto' } = parameters;
-  // Only pages hand over Gauss maps; a recipe or a command line has a name.
-  const name = style as string;
-  const map = await (isPicture(name)
-    ? captureOf(name, recipe)
-    : resolved(engine, name, mapping as Mapping, recipe));
-  return { ...parameters, style: map };
+  const method = findMethod(id);
+  const descriptor = method?.parameters.find(({ kind }) => kind === 'style');
+  if (!method || descriptor?.kind !== 'style') return parameters;
+  const { [descriptor.name]: value = descriptor.default, mapping = descriptor.mapping ?? 'auto' } =
+    parameters;
+  // Only pages hand over Gauss maps; a recipe or a command line has a name or a list.
+  const given = value as string | Directions;
+  const map = await (isPicture(given) && descriptor.mapping === undefined
+    ? captureOf(given, recipe)
+    : resolved(engine, { method, descriptor, given, mapping: mapping as Mapping }, recipe));
+  return { ...parameters, [descriptor.name]: map };
 }
 
-async function resolved(engine: Engine, name: string, mapping: Mapping, recipe: string | undefined) {
-  const source = await sourceOf(engine, name, recipe);
-  const place = typeof source === 'string' ? '--style' : name;
+interface Asked {
+  readonly method: MethodDescriptor;
+  readonly descriptor: StyleParameter;
+  readonly given: string | Directions;
+  readonly mapping: Mapping;
+}
+
+async function resolved(engine: Engine, asked: Asked, recipe: string | undefined): Promise<GaussMap> {
+  const { descriptor, given, mapping } = asked;
+  const source = await sourceOf(engine, asked, recipe);
+  const place =
+    typeof given === 'string' && typeof source !== 'string' ? given : `--${flagOf(descriptor.name)}`;
   return at(
     place,
     resolveStyle(source, mapping, (mesh) => flowed(engine, mesh)),
   );
 }
 
-function isPicture(name: string): boolean {
-  return /\.png$/i.test(name);
+function isPicture(given: string | Directions): given is string {
+  return typeof given === 'string' && /\.png$/i.test(given);
 }
 
 async function captureOf(name: string, recipe: string | undefined): Promise<GaussMap> {
@@ -54,16 +68,26 @@ async function captureOf(name: string, recipe: string | undefined): Promise<Gaus
   );
 }
 
-/** A name, or the mesh of a file: what has a folder or an ending and is no name. */
-async function sourceOf(engine: Engine, name: string, recipe: string | undefined): Promise<StyleSource> {
-  if (styleNames.includes(name) || !/[./\\]/.test(name)) return name;
-  if (/\.(jpe?g|webp)$/i.test(name)) {
+/** A list, a name, or what a file holds: what has a folder or an ending and is no name is a mesh, or a list as JSON. */
+async function sourceOf(
+  engine: Engine,
+  { method, descriptor, given }: Asked,
+  recipe: string | undefined,
+): Promise<StyleSource> {
+  if (typeof given !== 'string' || styleNames.includes(given) || !/[./\\]/.test(given)) return given;
+  const path = pathOf(given, recipe);
+  if (/\.json$/i.test(given)) {
+    const listed = parseJson(await readText(path), given);
+    const problem = checkParameters(method, { [descriptor.name]: listed });
+    if (problem) throw new WhittleError(problem.code, `${given}: ${problem.message}`);
+    return listed as Directions;
+  }
+  if (/\.(jpe?g|webp)$/i.test(given)) {
     throw new FileError(
-      `${name}: a normal capture is a PNG; save the picture as one, or give a mesh or a name.`,
+      `${given}: a normal capture is a PNG; save the picture as one, or give a mesh or a name.`,
     );
   }
-  const path = pathOf(name, recipe);
-  const { mesh } = await at(name, engine.read(await readBytes(path), path));
+  const { mesh } = await at(given, engine.read(await readBytes(path), path));
   return mesh;
 }
 

@@ -1,6 +1,12 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { WeldedMesh } from '../mesh/weld.ts';
-import type { Handles, MethodDescriptor, ParameterValues, Scalars } from '../methods/descriptor.ts';
+import type {
+  Directions,
+  Handles,
+  MethodDescriptor,
+  ParameterValues,
+  Scalars,
+} from '../methods/descriptor.ts';
 
 type Point = Handles['targets'][number];
 
@@ -8,7 +14,7 @@ type Point = Handles['targets'][number];
  * Parameters as the core takes them: handles and numbers by vertex are those of welded vertices, everything else stays.
  *
  * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place;
- *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style
+ *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style or its directions
  */
 export function toWelded(
   method: MethodDescriptor,
@@ -20,7 +26,8 @@ export function toWelded(
     const value = parameters[name];
     if (kind === 'handles' && value !== undefined) welded[name] = weldHandles(name, value as Handles, mesh);
     if (kind === 'scalars' && value !== undefined) welded[name] = weldScalars(name, value as Scalars, mesh);
-    if (kind === 'style' && typeof value === 'string') throw unresolvedStyle(name, value);
+    if (kind === 'style' && (typeof value === 'string' || Array.isArray(value)))
+      throw unresolvedStyle(name, value);
   }
   return welded;
 }
@@ -48,10 +55,11 @@ function weldScalars(
   return sums.map((sum, vertex) => sum / visits[vertex]!);
 }
 
-function unresolvedStyle(name: string, value: string): WhittleError {
+function unresolvedStyle(name: string, value: string | Directions): WhittleError {
+  const what = typeof value === 'string' ? `the name “${value}”` : 'a list of directions';
   return new WhittleError(
     'bad-parameter',
-    `“${name}” is the name “${value}”, but the engine takes the style itself; make a Gauss map of it with resolveStyle first.`,
+    `“${name}” is ${what}, but the engine takes the style itself; make a Gauss map of it with resolveStyle first.`,
   );
 }
 

@@ -1,4 +1,10 @@
-import type { Handles, MethodDescriptor, ParameterDescriptor, ScalarsParameter } from './descriptor.ts';
+import type {
+  Handles,
+  MethodDescriptor,
+  ParameterDescriptor,
+  ScalarsParameter,
+  StyleParameter,
+} from './descriptor.ts';
 import { didYouMean } from './suggest.ts';
 
 /** What is wrong with a value, as data; recipe, engine and command line make their own error of it. */
@@ -63,7 +69,8 @@ function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterP
       return problem('bad-parameter', name, `“${name}” must be true or false, not ${show(value)}.`);
     case 'scalars':
     case 'style': {
-      const what = descriptor.kind === 'style' ? styleProblem(value) : scalarsProblem(descriptor, value);
+      const what =
+        descriptor.kind === 'style' ? styleProblem(descriptor, value) : scalarsProblem(descriptor, value);
       return what === undefined ? undefined : problem('bad-parameter', name, `“${name}” ${what}`);
     }
     case 'handles': {
@@ -90,14 +97,24 @@ function scalarsProblem({ min, max }: ScalarsParameter, value: unknown): string 
 }
 
 /** Whether its numbers make sense is for the core. */
-function styleProblem(value: unknown): string | undefined {
+function styleProblem({ mapping }: StyleParameter, value: unknown): string | undefined {
   if (typeof value === 'string' && value !== '') return undefined;
+  if (Array.isArray(value)) return directionsProblem(value);
   const { kind, normals, points, triangles, per } = (value ?? {}) as Partial<Record<string, unknown>>;
   const hasNormals = normals instanceof Float64Array && normals.length % 3 === 0;
   if (kind === 'closest' && hasNormals) return undefined;
+  if (kind === 'sphere' && mapping === 'closest')
+    return 'must hold directions: those of a convex shape, or a list of normals; a style on the sphere has too many.';
   const hasSphere = points instanceof Float64Array && triangles instanceof Uint32Array;
   if (kind === 'sphere' && hasNormals && hasSphere && (per === 'vertex' || per === 'face')) return undefined;
-  return `must name a primitive, a style mesh or a file, or be a Gauss map, not ${show(value)}.`;
+  return `must name a primitive, a style mesh or a file, or be a list of directions or a Gauss map, not ${show(value)}.`;
+}
+
+function directionsProblem(value: readonly unknown[]): string | undefined {
+  const bad = value.findIndex((entry) => !isPoint(entry) || entry.every((part) => part === 0));
+  if (value.length > 0 && bad < 0) return undefined;
+  const found = bad < 0 ? 'it is empty' : `entry ${bad} is ${show(value[bad])}`;
+  return `must list directions [x, y, z] of finite numbers, not all of them zero; ${found}.`;
 }
 
 /** The rest of a sentence that begins with the parameter's name. */

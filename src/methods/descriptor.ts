@@ -50,11 +50,13 @@ export interface ScalarsParameter extends Parameter {
 }
 
 /**
- * A style. In a recipe or on the command line a {@link StyleName}, which `resolveStyle` of `src/styles` turns into the
- * {@link GaussMap} that the engine takes.
+ * A style. In a recipe or on the command line a {@link StyleName} or {@link Directions}, which `resolveStyle` of `src/styles`
+ * turns into the {@link GaussMap} that the engine takes.
  */
 export interface StyleParameter extends Parameter {
   readonly kind: 'style';
+  /** Set where only a few directions will do: those of a convex shape, or a list of them. */
+  readonly mapping?: 'closest';
   /** What page and command line take when nothing is said; the engine itself has none. */
   readonly default: string;
 }
@@ -94,6 +96,9 @@ export type Scalars = readonly number[] | Float64Array;
 /** A primitive ('cube'), a style mesh ('oloid') or the path of a mesh file. */
 export type StyleName = string;
 
-export type ParameterValue = number | string | boolean | Scalars | GaussMap | Handles;
+/** Normals to snap to, of any length but zero. */
+export type Directions = readonly (readonly [x: number, y: number, z: number])[];
+
+export type ParameterValue = number | string | boolean | Scalars | GaussMap | Directions | Handles;
 /** Values by parameter name; what is absent has its default. */
 export type ParameterValues = Readonly<Record<string, ParameterValue>>;

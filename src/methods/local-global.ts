@@ -7,7 +7,7 @@ import type {
   ScalarsParameter,
 } from './descriptor.ts';
 
-const handles: HandlesParameter = {
+export const handles: HandlesParameter = {
   name: 'handles',
   kind: 'handles',
   label: 'Handles',
@@ -63,7 +63,23 @@ const maxIterations: NumberParameter = {
   unit: '',
 };
 
-/** What every local/global method ends its list with. */
+/** How long a method runs whose targets follow the output: nothing else says when it is done. */
+export function iterations(usual: number): NumberParameter {
+  return {
+    name: 'maxIterations',
+    kind: 'integer',
+    label: 'Iterations',
+    doc: 'Stop after this many; targets follow the output, and the shape goes on changing a little.',
+    invalidates: 'targets',
+    advanced: true,
+    default: usual,
+    min: 0,
+    max: 1_000_000,
+    unit: '',
+  };
+}
+
+/** What every local/global method with targets that stay ends its list with. */
 export const shared: readonly ParameterDescriptor[] = [
   handles,
   acceleration,
@@ -83,7 +99,8 @@ export const regularizer: ChoiceParameter = {
   choices: ['arap', 'farap', 'acap'],
 };
 
-export const lambdaPerVertex: ScalarsParameter = {
+/** @param max the highest λ of a vertex, as of the method's own λ */
+export const strengthByVertex = (max: number): ScalarsParameter => ({
   name: 'lambdaPerVertex',
   kind: 'scalars',
   label: 'Strength by vertex',
@@ -91,8 +108,10 @@ export const lambdaPerVertex: ScalarsParameter = {
   invalidates: 'weights',
   advanced: true,
   min: 0,
-  max: 100,
-};
+  max,
+});
+
+export const lambdaPerVertex = strengthByVertex(100);
 
 export const arap: MethodDescriptor = {
   id: 'arap',

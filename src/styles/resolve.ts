@@ -1,5 +1,6 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh } from '../mesh/mesh.ts';
+import type { Directions } from '../methods/descriptor.ts';
 import type { GaussMap } from '../methods/gauss-map.ts';
 import { didYouMean } from '../methods/suggest.ts';
 import { captureIds, findCapture } from './capture-gallery.ts';
@@ -10,12 +11,13 @@ import { refined } from './refined.ts';
 import { sphereNormals } from './sphere-normals.ts';
 import { findStyleMesh, styleMeshIds } from './style-meshes.ts';
 import type { Surface } from './surface.ts';
+import { length, unit } from './vectors.ts';
 
 /** How a style is read; `auto` takes the closest normal of what is convex and has few of them, the sphere for all else. */
 export type Mapping = 'auto' | 'closest' | 'spherical';
 
-/** The name of a primitive, of a style mesh or of a capture, or a closed surface. */
-export type StyleSource = string | Surface;
+/** The name of a primitive, of a style mesh or of a capture, a closed surface, or the directions themselves. */
+export type StyleSource = string | Surface | Directions;
 
 /**
  * Lets a mesh flow to a sphere: the method `spherical`, run to its end.
@@ -28,12 +30,14 @@ export type Flow = (mesh: Mesh) => Promise<Float64Array>;
 export const styleNames: readonly string[] = [...primitiveIds, ...styleMeshIds, ...captureIds];
 
 /**
- * Makes of a style what the parameter `style` of an analogy takes in the engine.
+ * Makes of a style what a style parameter takes in the engine (`style` of an analogy, `directions` of a polycube).
  *
- * @throws WhittleError `bad-parameter` for a name that is none, `unsuitable-mesh` for a surface that the mapping cannot read: not
+ * @throws WhittleError `bad-parameter` for a name that is none, for a capture where faces are asked for and for what is no direction,
+ *   `unsuitable-mesh` for a surface that the mapping cannot read: not
  *   convex for `closest`; open, in parts, with handles or too uneven for `spherical`
  */
 export async function resolveStyle(source: StyleSource, mapping: Mapping, flow: Flow): Promise<GaussMap> {
+  if (isDirections(source)) return { kind: 'closest', normals: unitNormals(source) };
   if (typeof source !== 'string') return ofSurface(source, mapping, flow);
   const primitive = findPrimitive(source);
   if (primitive) {
@@ -43,11 +47,36 @@ export async function resolveStyle(source: StyleSource, mapping: Mapping, flow: 
   const style = findStyleMesh(source);
   if (style) return ofSurface(style.mesh, mapping === 'auto' ? 'spherical' : mapping, flow);
   const capture = findCapture(source);
+  if (capture && mapping === 'closest') {
+    throw new WhittleError(
+      'bad-parameter',
+      `“${source}” is a normal capture and has no faces; choose a convex shape.`,
+    );
+  }
   if (capture) return capture.map;
   throw new WhittleError(
     'bad-parameter',
     `There is no style “${source}”.${didYouMean(source, styleNames)} A mesh file is named with its ending.`,
   );
+}
+
+function isDirections(source: StyleSource): source is Directions {
+  return Array.isArray(source);
+}
+
+function unitNormals(directions: Directions): Float64Array {
+  if (directions.length === 0)
+    throw new WhittleError('bad-parameter', 'A style needs one direction or more.');
+  const normals = directions.map(unit);
+  const bad = normals.findIndex((normal) => !(length(normal) > 0.5));
+  if (bad >= 0) {
+    throw new WhittleError(
+      'bad-parameter',
+      `Direction ${bad} is [${directions[bad]!.join(', ')}]; a direction has three finite numbers, not all of them zero.`,
+      bad,
+    );
+  }
+  return Float64Array.from(normals.flat());
 }
 
 async function ofSurface(surface: Surface, mapping: Mapping, flow: Flow): Promise<GaussMap> {

@@ -73,6 +73,53 @@ describe('choosing a style', () => {
   });
 });
 
+describe('choosing directions', () => {
+  it('opens with the cube, and each method keeps what it has', async () => {
+    const { store, workspace, styles, entry } = await desk();
+    await styles.choose(entry('terraced'));
+    await styles.chooseMethod('polycube');
+    await quiet(store);
+    expect(workspace.document).toMatchObject({
+      method: 'polycube',
+      directions: { source: 'cube' },
+      style: { source: 'terraced' },
+      parameters: { lambda: 1, smoothing: 0.2 },
+    });
+    expect(styles.chosenId).toBe('shapes-cube');
+    workspace.commit({ parameters: { ...workspace.document!.parameters, lambda: 0.5 } }, 'Pace');
+    await styles.choose(entry('octahedron'));
+    expect(workspace.document).toMatchObject({ method: 'polycube', parameters: { lambda: 0.5 } });
+    expect(commandLine(workspace.document!)).toContain('polycube a.obj --directions octahedron --lambda 0.5');
+    await styles.chooseMethod('analogy');
+    expect(styles.chosenId).toBe('captures-terraced');
+    await styles.chooseMethod('polycube');
+    expect(styles.chosenId).toBe('shapes-octahedron');
+    await quiet(store);
+  });
+
+  it('leaves to the styles what has no few directions', async () => {
+    const { store, workspace, styles, entry } = await desk();
+    await styles.chooseMethod('polycube');
+    await styles.choose(entry('terraced'));
+    await quiet(store);
+    expect(workspace.document).toMatchObject({ method: 'analogy', style: { source: 'terraced' } });
+  });
+
+  it('measures the angle to the direction that is the closest now', async () => {
+    const { store, workspace, styles } = await desk();
+    await styles.chooseMethod('polycube');
+    await quiet(store);
+    const document = workspace.document!;
+    // A quarter turn: every normal has left its first direction and found another.
+    const positions = document.mesh.positions.slice();
+    for (let p = 0; p < positions.length; p += 3)
+      positions.set([-document.mesh.positions[p + 1]!, document.mesh.positions[p]!], p);
+    const turned = { ...document, result: { ...document.result!, positions } };
+    const [before, after] = [measure(turned, 'before')!, measure(turned, 'after')!];
+    for (const [p, value] of after.values.entries()) expect(value).toBeCloseTo(before.values[p]!, 2);
+  });
+});
+
 describe('bringing a style', () => {
   const tilted = sphereMap(([x, y, z]) => unit([x, y + 0.5, z]));
 

@@ -21,21 +21,6 @@ void requireMonotone(const std::vector<double>& energies) {
   for (std::size_t k = 1; k < energies.size(); ++k) REQUIRE(energies[k] <= energies[k - 1] + 1e-8 * std::abs(energies[0]) + 1e-13);
 }
 
-/// A torus of `n`×`n` vertices.
-TriangleMesh torus(int n) {
-  TriangleMesh mesh{Points(n * n, 3), Triangles(2 * n * n, 3)};
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c) {
-      const double a = 2 * EIGEN_PI * r / n, b = 2 * EIGEN_PI * c / n, radius = 1 + 0.4 * std::cos(b);
-      mesh.positions.row(r * n + c) << radius * std::cos(a), radius * std::sin(a), 0.4 * std::sin(b);
-      const Index p = r * n + c, right = r * n + (c + 1) % n, up = (r + 1) % n * n + c, across = (r + 1) % n * n + (c + 1) % n;
-      mesh.triangles.row(2 * p) << p, up, across;
-      mesh.triangles.row(2 * p + 1) << p, across, right;
-    }
-  }
-  return mesh;
-}
-
 GaussMapData sphereStyle(int levels) {
   const TriangleMesh mesh = sphere(levels);
   return {GaussMapData::Kind::perVertex, mesh.positions, mesh.positions, mesh.triangles};

@@ -86,21 +86,6 @@ TriangleMesh bumpyLong(int levels) {
   return mesh;
 }
 
-/// A tube around a ring: a torus with n×n vertices.
-TriangleMesh torus(int n) {
-  TriangleMesh mesh{Points(n * n, 3), Triangles(2 * n * n, 3)};
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const double a = 2 * EIGEN_PI * i / n, b = 2 * EIGEN_PI * j / n, r = 1 + 0.3 * std::cos(b);
-      const int p = i * n + j, q = i * n + (j + 1) % n, s = (i + 1) % n * n;
-      mesh.positions.row(p) << r * std::cos(a), r * std::sin(a), 0.3 * std::sin(b);
-      mesh.triangles.row(2 * p) << p, s + j, s + (j + 1) % n;
-      mesh.triangles.row(2 * p + 1) << p, s + (j + 1) % n, q;
-    }
-  }
-  return mesh;
-}
-
 }  // namespace
 
 TEST_CASE("a sphere stays the sphere it is") {

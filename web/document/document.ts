@@ -39,11 +39,16 @@ export interface ChosenStyle {
 /** What is to be done to a mesh. */
 export interface Shaping {
   readonly method: string;
-  /** But for the style, which the methods that take one get from `style`. */
+  /** But for the style, which the methods that take one get from here by the parameter's name. */
   readonly parameters: ParameterValues;
   /** Kept while another method is chosen. Null until one was chosen. */
   readonly style: ChosenStyle | null;
+  /** The same for methods that only take a few directions. */
+  readonly directions: ChosenStyle | null;
 }
+
+/** The places for styles, named as the parameters are. */
+export type StylePlace = 'style' | 'directions';
 
 /** All that undo brings back. Immutable: a change is a new document. The camera is not in it. */
 export interface WhittleDocument extends Shaping {
@@ -76,7 +81,8 @@ export function sameParameters(a: ParameterValues, b: ParameterValues): boolean 
 }
 
 export function sameShaping(a: Shaping, b: Shaping): boolean {
-  return a.method === b.method && a.style?.map === b.style?.map && sameParameters(a.parameters, b.parameters);
+  const sameStyles = a.style?.map === b.style?.map && a.directions?.map === b.directions?.map;
+  return a.method === b.method && sameStyles && sameParameters(a.parameters, b.parameters);
 }
 
 /** The same document with other settings: what it shows is now only a preview of them. */

@@ -1,5 +1,6 @@
 import { methods } from '../../src/methods/registry.ts';
 import type { WhittleDocument } from './document.ts';
+import { styleOf } from './offered-methods.ts';
 
 export interface Format {
   readonly id: string;
@@ -32,13 +33,15 @@ export function exportName({ source, method }: WhittleDocument, format: Format):
 
 /** The command line that makes the same file without the page. */
 export function commandLine(document: WhittleDocument): string {
-  const { source, method, parameters, style } = document;
+  const { source, method, parameters } = document;
   const descriptor = methods.find(({ id }) => id === method);
   const flags = (descriptor?.parameters ?? []).flatMap((parameter) => {
-    if (parameter.kind === 'style') return style ? ['--style', quoted(style.source)] : [];
+    const flag = `--${kebab(parameter.name)}`;
+    const style = parameter.kind === 'style' ? styleOf(document) : null;
+    if (style) return [flag, quoted(style.source)];
     const value = parameters[parameter.name];
     if (!('default' in parameter) || value === undefined || value === parameter.default) return [];
-    return [`--${kebab(parameter.name)}`, String(value)];
+    return [flag, String(value)];
   });
   const out = exportName(document, ownFormat(document));
   return ['npx whittle', method, quoted(source.name), ...flags, '--out', quoted(out)].join(' ');

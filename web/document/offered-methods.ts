@@ -5,10 +5,13 @@ import type {
   NumberParameter,
   ParameterDescriptor,
   ParameterValues,
+  StyleParameter,
 } from '../../src/methods/descriptor.ts';
+import type { GaussMap } from '../../src/methods/gauss-map.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
-import type { Shaping, WhittleDocument } from './document.ts';
+import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
 import { startingLambda, startingStrength } from './starting-lambda.ts';
+import type { Shading } from './store.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
@@ -28,9 +31,30 @@ export function offeredMethods(all: readonly MethodDescriptor[] = methods): read
   return all.filter((method) => editableParameters(method).some(({ advanced }) => !advanced));
 }
 
-/** Methods that borrow from a style: the gallery's. */
-export function takesStyle(method: MethodDescriptor | undefined): boolean {
-  return method?.parameters.some(({ kind }) => kind === 'style') ?? false;
+/** The parameter by which a method borrows from a style: the gallery's. */
+export function styleParameter(
+  method: MethodDescriptor | undefined,
+): (StyleParameter & { readonly name: StylePlace }) | undefined {
+  const found = method?.parameters.find(({ kind }) => kind === 'style');
+  // The document has a place for each.
+  return found as (StyleParameter & { readonly name: StylePlace }) | undefined;
+}
+
+/** Whether a method can borrow from such a style. */
+export function canTake(method: MethodDescriptor | undefined, map: GaussMap): boolean {
+  const parameter = styleParameter(method);
+  return parameter !== undefined && (parameter.mapping === undefined || map.kind === 'closest');
+}
+
+/** The style of the method that is on; null if it takes none or none was chosen. */
+export function styleOf(shaping: Shaping): ChosenStyle | null {
+  const parameter = styleParameter(findMethod(shaping.method));
+  return parameter ? shaping[parameter.name] : null;
+}
+
+/** How a method's results are looked at best: boxes and folded sheets by their faces. */
+export function usualShading(method: string | undefined): Shading {
+  return method === 'polycube' || method === 'developable' ? 'flat' : 'smooth';
 }
 
 /** What a method opens with on a mesh: its defaults, but for what depends on the mesh and the style. */
@@ -40,12 +64,14 @@ export function startingParameters(
 ): ParameterValues {
   const values: Record<string, number | string | boolean> = {};
   for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
-  if (typeof values.lambda !== 'number') return values;
-  values.lambda = takesStyle(method) && style ? startingStrength(style.map) : startingLambda(report.vertices);
+  if (method.id === 'cubic') values.lambda = startingLambda(report.vertices);
+  if (method.id === 'analogy' && style) values.lambda = startingStrength(style.map);
   return values;
 }
 
 /** What the engine gets. */
-export function solverParameters({ method, parameters, style }: Shaping): ParameterValues {
-  return style && takesStyle(findMethod(method)) ? { ...parameters, style: style.map } : parameters;
+export function solverParameters(shaping: Shaping): ParameterValues {
+  const parameter = styleParameter(findMethod(shaping.method));
+  const style = styleOf(shaping);
+  return parameter && style ? { ...shaping.parameters, [parameter.name]: style.map } : shaping.parameters;
 }

@@ -1,12 +1,11 @@
 import { weld } from '../../src/mesh/weld.ts';
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
-import { findMethod } from '../../src/methods/registry.ts';
 import { type GaussLookup, lookup } from '../../src/styles/gauss-lookup.ts';
 import { findPrimitive } from '../../src/styles/primitives.ts';
 import { dot, row } from '../../src/styles/vectors.ts';
 import { NormalWriter } from '../../src/viewer/normals.ts';
 import { shownPositions, type WhittleDocument } from './document.ts';
-import { takesStyle } from './offered-methods.ts';
+import { styleOf } from './offered-methods.ts';
 import type { OverlayName } from './store.ts';
 
 /** A number for every position of the mesh, to be shown as colours. */
@@ -34,21 +33,32 @@ export function measure(document: WhittleDocument, name: OverlayName): Overlay |
   if (name === 'moved') return document.result ? moved(document) : null;
   const map = targetsOf(document);
   if (!map) return null;
-  const targets = targetNormals(document, lookup(map));
-  const before = angles(normalsOf(document, document.mesh.positions), targets);
-  const values = name === 'before' ? before : angles(normalsOf(document, shownPositions(document)), targets);
+  const { positions } = document.mesh;
+  const before = angles(normalsOf(document, positions), targetNormals(document, positions, lookup(map)));
+  const shown = shownPositions(document);
+  const from = targetsFollow(document) ? shown : positions;
+  const values =
+    name === 'before'
+      ? before
+      : angles(normalsOf(document, shown), targetNormals(document, from, lookup(map)));
   // One scale for both, so that they can be compared.
   const max = Math.max(10, 5 * Math.ceil(quantile(before, 0.98) / 5));
   return { name, title: overlayTitles[name], unit: '°', max, mean: mean(values), values };
 }
 
 /** What the document's method draws normals to. The cubic method carves without a Gauss map, but its solid has one. */
-function targetsOf({ method, parameters, style }: WhittleDocument): GaussMap | null {
+function targetsOf(document: WhittleDocument): GaussMap | null {
+  const { method, parameters } = document;
   if (method === 'cubic') {
     const solid = findPrimitive(String(parameters.polyhedron ?? 'cube'));
     return solid ? { kind: 'closest', normals: solid.normals } : null;
   }
-  return takesStyle(findMethod(method)) && style ? style.map : null;
+  return styleOf(document)?.map ?? null;
+}
+
+/** Whether targets are those of the output's normals, not of the input's. */
+function targetsFollow({ method, parameters }: WhittleDocument): boolean {
+  return method === 'polycube' || parameters.dynamicTargets === true;
 }
 
 function moved(document: WhittleDocument): Overlay {
@@ -94,8 +104,12 @@ function normalsOf({ mesh }: WhittleDocument, positions: Float64Array): Float32A
   return normals;
 }
 
-function targetNormals(document: WhittleDocument, target: GaussLookup): Float32Array {
-  const normals = normalsOf(document, document.mesh.positions);
+function targetNormals(
+  document: WhittleDocument,
+  positions: Float64Array,
+  target: GaussLookup,
+): Float32Array {
+  const normals = normalsOf(document, positions);
   const targets = new Float32Array(normals.length);
   for (let p = 0; 3 * p < normals.length; p++) targets.set(target(row(normals, p)), 3 * p);
   return targets;

@@ -36,6 +36,8 @@ export const builtIn: readonly StyleEntry[] = [
 
 /** What the page opens the styles with. */
 export const firstStyle: StyleEntry = builtIn.find(({ source }) => source === 'octahedron')!;
+/** What it opens the polycube with. */
+export const firstDirections: StyleEntry = builtIn.find(({ source }) => source === 'cube')!;
 
 let brought = 0;
 

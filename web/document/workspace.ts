@@ -163,7 +163,7 @@ export class Workspace {
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
     const method = offeredMethods()[0]!;
-    const style = this.document?.style ?? null;
+    const { style, directions } = this.document ?? { style: null, directions: null };
     const parameters = startingParameters(method, { report, style });
     return {
       source: { bytes, name, format },
@@ -172,6 +172,7 @@ export class Workspace {
       method: method.id,
       parameters,
       style,
+      directions,
       result: null,
     };
   }

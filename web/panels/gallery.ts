@@ -1,5 +1,7 @@
 import { html, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
+import { findMethod } from '../../src/methods/registry.ts';
+import { styleParameter } from '../document/offered-methods.ts';
 import { groups, type StyleEntry, type StyleGroup } from '../document/style-gallery.ts';
 import { Photographer } from '../tools/photographer.ts';
 import { stepInGrid } from './grid-steps.ts';
@@ -17,17 +19,24 @@ export class WhittleGallery extends PageElement {
     this.#photographer.stop();
   }
 
+  /** A method that only takes a few directions is offered the convex shapes. */
+  get #onlyShapes(): boolean {
+    return styleParameter(findMethod(this.state.document?.method ?? ''))?.mapping === 'closest';
+  }
+
   protected override render() {
-    const { offer, flow, pending, entries, painting } = this.state.gallery;
+    const { offer, flow, pending, entries } = this.state.gallery;
+    const painting = this.state.gallery.painting && !this.#onlyShapes;
+    const offered = groups.filter(({ id }) => id === 'shapes' || !this.#onlyShapes);
     return html`
       <div class="gallery" role="listbox" ?hidden=${painting} aria-label="Styles" aria-busy=${pending !== null} @keydown=${this.#key}>
-        ${groups.map(({ id, title }) => this.#group(id, title, entries))}
+        ${offered.map(({ id, title }) => this.#group(id, title, entries))}
       </div>
       ${offer ? this.#offer(offer.why) : nothing}
       ${flow ? html`<whittle-flow .flow=${flow}></whittle-flow>` : nothing}
       <div class="gallery-tools">
         <button type="button" class="button small" data-act="add-style" title="A mesh, or a PNG of a ball that holds normals; dropping it here does the same" @click=${() => this.page.pickStyle()}>${icon('add')}Add a style</button>
-        <button type="button" class="button small" data-act="paint" aria-pressed=${painting} title="Paint normals on a ball" @click=${() => this.page.painter.toggle()}>${icon('brush')}Paint</button>
+        ${this.#onlyShapes ? nothing : html`<button type="button" class="button small" data-act="paint" aria-pressed=${painting} title="Paint normals on a ball" @click=${() => this.page.painter.toggle()}>${icon('brush')}Paint</button>`}
       </div>
     `;
   }

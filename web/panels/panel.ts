@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit';
-import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
+import type { MethodDescriptor, StyleParameter } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { WhittleDocument } from '../document/document.ts';
 import { exportName, formats, ownFormat } from '../document/formats.ts';
@@ -7,7 +7,7 @@ import {
   type EditableParameter,
   editableParameters,
   offeredMethods,
-  takesStyle,
+  styleParameter,
 } from '../document/offered-methods.ts';
 import { icon } from './icons.ts';
 import { measures } from './measures.ts';
@@ -25,9 +25,10 @@ export class WhittlePanel extends PageElement {
     const { document } = this.state;
     const method = document ? findMethod(document.method) : offeredMethods()[0];
     if (!method) return nothing;
+    const style = styleParameter(method);
     return html`
       ${this.#heading(method)}
-      ${takesStyle(method) && document ? this.#styles() : nothing}
+      ${style && document ? this.#styles(style) : nothing}
       <div class="controls" @parameter=${this.#change}>${document ? this.#controls(method, document) : nothing}</div>
       ${document ? this.#home(document) : nothing}
       ${document ? measures(this.page, this.state) : nothing}
@@ -40,7 +41,7 @@ export class WhittlePanel extends PageElement {
     return html`
       <header class="method">
         ${offered.length > 1 ? this.#switch(method, offered) : html`<h2>${method.title}</h2>`}
-        ${takesStyle(method) ? nothing : html`<p title=${method.paper}>${method.summary}</p>`}
+        ${styleParameter(method) ? nothing : html`<p title=${method.paper}>${method.summary}</p>`}
       </header>
     `;
   }
@@ -56,11 +57,12 @@ export class WhittlePanel extends PageElement {
       </fieldset>`;
   }
 
-  #styles() {
+  #styles({ mapping }: StyleParameter) {
+    const painting = this.state.gallery.painting && mapping !== 'closest';
     return html`
       <div class="styles" data-takes-styles>
         <whittle-gallery .page=${this.page}></whittle-gallery>
-        ${this.state.gallery.painting ? html`<whittle-painter .page=${this.page}></whittle-painter>` : nothing}
+        ${painting ? html`<whittle-painter .page=${this.page}></whittle-painter>` : nothing}
       </div>`;
   }
 

@@ -1,4 +1,5 @@
 import { html, nothing } from 'lit';
+import { findMethod } from '../../src/methods/registry.ts';
 import type { State } from '../document/store.ts';
 import { PageElement } from './page-element.ts';
 import { sparkline } from './sparkline.ts';
@@ -20,7 +21,7 @@ export class WhittleStatus extends PageElement {
     return html`
       <span class="pulse" aria-hidden="true"></span>
       <span class="sentence" aria-hidden="true">${sentence(this.state)}</span>
-      ${energy.length > 1 ? html`<span title="Energy, falling">${sparkline(energy)}</span>` : nothing}
+      ${energy.length > 1 ? html`<span title="Energy">${sparkline(energy)}</span>` : nothing}
       ${busy ? html`<button type="button" class="button small" data-act="cancel" title="Stop and keep what there is (Esc)" @click=${() => this.page.workspace.cancel()}>Cancel</button>` : nothing}
       <span class="hidden" role="status">${this.#spoken}</span>
     `;
@@ -37,17 +38,24 @@ function sentence({ activity, document }: State): string {
       if (!activity.live) return 'Settling…';
       return activity.iteration > 0 ? `Carving… iteration ${activity.iteration}` : 'Carving…';
     default:
-      return rest(document?.result ?? null);
+      return rest(document);
   }
 }
 
-function rest(result: NonNullable<State['document']>['result']): string {
-  if (!result) return 'As it came';
+function rest(document: State['document']): string {
+  if (!document?.result) return 'As it came';
+  const { result } = document;
   const many = `${result.iterations} ${result.iterations === 1 ? 'iteration' : 'iterations'}`;
   if (result.state === 'stopped') return `Stopped after ${many}; this shape is kept`;
-  if (result.outcome === 'iteration-limit') return `Stopped at the limit of ${many}`;
+  if (result.outcome === 'iteration-limit' && !endsByCount(document.method))
+    return `Stopped at the limit of ${many}`;
   const seconds = result.milliseconds / 1000;
   return `Carved in ${many}, ${seconds < 10 ? seconds.toFixed(2) : seconds.toFixed(0)} s`;
+}
+
+/** Of a method without a tolerance the number of iterations is no limit but all there is. */
+function endsByCount(method: string): boolean {
+  return !findMethod(method)?.parameters.some(({ name }) => name === 'tolerance');
 }
 
 customElements.define('whittle-status', WhittleStatus);

@@ -3,7 +3,7 @@ import { blankMap, onSphere, pixelsOfMap, type SphereMap } from '../../src/style
 import { writePng } from '../../src/styles/png.ts';
 import { add, row, scale, unit, type Vec3 } from '../../src/styles/vectors.ts';
 import type { ChosenStyle, Shaping } from '../document/document.ts';
-import { startingParameters, takesStyle } from '../document/offered-methods.ts';
+import { canTake, startingParameters } from '../document/offered-methods.ts';
 import type { Store } from '../document/store.ts';
 import type { Workspace } from '../document/workspace.ts';
 import { BrushSurface, type BrushTip, Coverage, Stroke } from './brush.ts';
@@ -129,7 +129,7 @@ export class Painter {
 
   #shaping(map: SphereMap): Partial<Shaping> {
     const style: ChosenStyle = { id: 'painted', name: 'Painted', source: 'painted.png', map };
-    const method = methods.find(takesStyle)!;
+    const method = methods.find((one) => canTake(one, map))!;
     const { document } = this.#store.state;
     if (!document || document.method === method.id) return { style };
     return { method: method.id, parameters: startingParameters(method, { ...document, style }), style };

@@ -1,15 +1,14 @@
 import type { Engine } from '../../src/engine/client.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import { methods } from '../../src/methods/registry.ts';
+import type { MethodDescriptor, ParameterValues } from '../../src/methods/descriptor.ts';
+import { findMethod, methods } from '../../src/methods/registry.ts';
 import { mapOfPixels } from '../../src/styles/captures.ts';
 import { normalsOfConvex } from '../../src/styles/convex-normals.ts';
 import { isPng, readPng } from '../../src/styles/png.ts';
 import type { ChosenStyle, WhittleDocument } from '../document/document.ts';
-import { startingParameters, takesStyle } from '../document/offered-methods.ts';
-import { startingStrength } from '../document/starting-lambda.ts';
+import { canTake, startingParameters, styleOf, styleParameter } from '../document/offered-methods.ts';
 import type { Gallery, Store } from '../document/store.ts';
-import { firstStyle, ownStyle, type StyleEntry } from '../document/style-gallery.ts';
+import { firstDirections, firstStyle, ownStyle, type StyleEntry } from '../document/style-gallery.ts';
 import { Film, StyleReader } from '../document/style-reader.ts';
 import type { Workspace } from '../document/workspace.ts';
 
@@ -43,18 +42,23 @@ export class StyleDesk {
 
   /** The style that the document has or, before any was chosen, would get. */
   get chosenId(): string {
-    return this.#store.state.document?.style?.id ?? firstStyle.id;
+    const { document } = this.#store.state;
+    const style = document && styleOf(document);
+    return style?.id ?? firstEntry(findMethod(document?.method ?? '')).id;
   }
 
-  /** Restyles the mesh. The latest choice wins if an earlier one is still being read. */
-  async choose(entry: StyleEntry, watch = false): Promise<void> {
+  /**
+   * Restyles the mesh, with the method that is on if it can take this style. The latest choice wins if an earlier one is still
+   * being read.
+   */
+  async choose(entry: StyleEntry, watch = false, methodId?: string): Promise<void> {
     const turn = ++this.#latest;
     this.#set({ pending: entry.id, offer: null, flow: null });
     const film = new Film();
     try {
       const map = await this.#reader.read(entry, watch ? film.take : undefined);
       if (turn !== this.#latest) return;
-      this.#apply({ id: entry.id, name: entry.name, source: entry.source, map });
+      this.#apply({ id: entry.id, name: entry.name, source: entry.source, map }, methodId);
       if (watch) void this.#play(film, entry.name, turn);
     } catch (thrown) {
       if (turn === this.#latest) this.#fail(thrown);
@@ -65,10 +69,11 @@ export class StyleDesk {
 
   /** The method of that name; one that takes a style gets the one that was chosen last. */
   async chooseMethod(id: string): Promise<void> {
-    const method = methods.find((one) => one.id === id);
-    const { document, gallery } = this.#store.state;
-    if (!takesStyle(method) || document?.style) this.#workspace.chooseMethod(id);
-    else await this.choose(gallery.entries.find((entry) => entry.id === firstStyle.id)!);
+    const method = findMethod(id);
+    const parameter = styleParameter(method);
+    const { document } = this.#store.state;
+    if (!parameter || document?.[parameter.name]) this.#workspace.chooseMethod(id);
+    else await this.choose(firstEntry(method), false, id);
   }
 
   /** Reads all that comes with the page while nobody waits, so that the first click is as quick as the second. */
@@ -127,16 +132,17 @@ export class StyleDesk {
     await this.choose(entry);
   }
 
-  #apply(style: ChosenStyle): void {
+  #apply(style: ChosenStyle, methodId?: string): void {
     const { document } = this.#store.state;
-    const method = methods.find(takesStyle);
-    if (!document || !method) return;
-    const { report } = document;
+    const wanted = findMethod(methodId ?? document?.method ?? '');
+    const method = canTake(wanted, style.map) ? wanted : methods.find((one) => canTake(one, style.map));
+    const parameter = styleParameter(method);
+    if (!document || !method || !parameter) return;
     const parameters =
       document.method === method.id
-        ? carriedOver(document, style)
-        : startingParameters(method, { report, style });
-    this.#workspace.restyle({ method: method.id, parameters, style }, style.name);
+        ? carriedOver(document, method, style)
+        : startingParameters(method, { ...document, style });
+    this.#workspace.restyle({ method: method.id, parameters, [parameter.name]: style }, style.name);
   }
 
   /** Shows a flow that is over too soon to be seen; another choice ends it. */
@@ -162,10 +168,22 @@ export class StyleDesk {
   }
 }
 
+function firstEntry(method: MethodDescriptor | undefined): StyleEntry {
+  return styleParameter(method)?.name === 'directions' ? firstDirections : firstStyle;
+}
+
 /** A strength that the person chose stays; one that nobody touched becomes what suits the new style. */
-function carriedOver({ parameters, style: old }: WhittleDocument, style: ChosenStyle): ParameterValues {
-  const isUntouched = old === null || parameters.lambda === startingStrength(old.map);
-  return isUntouched ? { ...parameters, lambda: startingStrength(style.map) } : parameters;
+function carriedOver(
+  document: WhittleDocument,
+  method: MethodDescriptor,
+  style: ChosenStyle,
+): ParameterValues {
+  const { parameters } = document;
+  const suiting = (one: ChosenStyle | null) =>
+    startingParameters(method, { ...document, style: one }).lambda!;
+  const old = styleOf(document);
+  const isUntouched = old === null || parameters.lambda === suiting(old);
+  return isUntouched ? { ...parameters, lambda: suiting(style) } : parameters;
 }
 
 function captureOf(bytes: Uint8Array, file: string): StyleEntry {

@@ -111,6 +111,47 @@ TriangleMesh longBox(int along, int across) {
   return assemble(points, faces);
 }
 
+TriangleMesh torus(int n) {
+  TriangleMesh mesh{Points(n * n, 3), Triangles(2 * n * n, 3)};
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) {
+      const double a = 2 * EIGEN_PI * r / n, b = 2 * EIGEN_PI * c / n, radius = 1 + 0.4 * std::cos(b);
+      mesh.positions.row(r * n + c) << radius * std::cos(a), radius * std::sin(a), 0.4 * std::sin(b);
+      const Index p = r * n + c, right = r * n + (c + 1) % n, up = (r + 1) % n * n + c, across = (r + 1) % n * n + (c + 1) % n;
+      mesh.triangles.row(2 * p) << p, up, across;
+      mesh.triangles.row(2 * p + 1) << p, across, right;
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh animal(int levels) {
+  TriangleMesh mesh = sphere(levels);
+  struct Bump {
+    Vec3 towards;
+    double height, sharpness;
+  };
+  const Bump bumps[] = {{{0.7, 0.7, 0.1}, 0.9, 6}, {{0.45, 1, 0.35}, 0.7, 30}, {{0.4, 1, -0.2}, 0.7, 30}, {{-1, 0.1, 0.1}, 0.4, 20}};
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.positions.row(v).transpose();
+    double radius = 1;
+    for (const Bump& bump : bumps) radius += bump.height * std::exp(bump.sharpness * (p.dot(bump.towards.normalized()) - 1));
+    mesh.positions.row(v) = radius * Eigen::RowVector3d(p.x(), 0.8 * p.y(), 0.7 * p.z());
+  }
+  return mesh;
+}
+
+Index shuffledPlace(Index v, Index count) { return static_cast<Index>((static_cast<std::int64_t>(v) * 101 + 7) % count); }
+
+TriangleMesh shuffled(const TriangleMesh& mesh) {
+  TriangleMesh result = mesh;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) result.positions.row(shuffledPlace(v, mesh.vertexCount())) = mesh.positions.row(v);
+  for (Index corner = 0; corner < mesh.triangles.size(); ++corner) {
+    result.triangles.data()[corner] = shuffledPlace(mesh.triangles.data()[corner], mesh.vertexCount());
+  }
+  return result;
+}
+
 TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, const Vec3& offset) {
   TriangleMesh mesh{Points(first.vertexCount() + second.vertexCount(), 3),
                     Triangles(first.faceCount() + second.faceCount(), 3)};

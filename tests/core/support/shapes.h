@@ -18,11 +18,21 @@ TriangleMesh moebiusStrip(int n);
 /// The skin of a box of `along`×`across`×`across` cells, each a cube of side 1/`across`.
 TriangleMesh longBox(int along, int across);
 
+/// A torus of `n`×`n` vertices.
+TriangleMesh torus(int n);
+
+/// A smooth body with a head, two ears and a tail, its triangles like those of `sphere(levels)`.
+TriangleMesh animal(int levels);
+
 /// One mesh of two, the second moved by `offset`.
 TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, const Vec3& offset);
 
 /// A smooth bend of a mesh, so that nothing is special about it.
 TriangleMesh bent(TriangleMesh mesh);
+
+/// The same mesh with its vertices in another order: vertex v is then the one at `shuffledPlace(v, count)`.
+TriangleMesh shuffled(const TriangleMesh& mesh);
+Index shuffledPlace(Index v, Index count);
 
 /// A rotation that is nobody's special case.
 Mat3 someRotation();

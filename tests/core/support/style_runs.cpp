@@ -36,10 +36,7 @@ void prepareAnalogy(Session& session, const Analogy& analogy) {
   REQUIRE(session.prepare().ok());
 }
 
-StyledRun run(const TriangleMesh& mesh, const Analogy& analogy) {
-  Session session;
-  REQUIRE(session.load(mesh).ok());
-  prepareAnalogy(session, analogy);
+StyledRun finish(Session& session, Index vertexCount) {
   StyledRun result;
   while (result.outcome == Outcome::running) {
     StepReport report;
@@ -47,9 +44,16 @@ StyledRun run(const TriangleMesh& mesh, const Analogy& analogy) {
     result.outcome = report.outcome;
     result.energies.push_back(report.energy);
   }
-  result.positions.resize(mesh.vertexCount(), 3);
+  result.positions.resize(vertexCount, 3);
   session.copyPositions(result.positions.data());
   return result;
+}
+
+StyledRun run(const TriangleMesh& mesh, const Analogy& analogy) {
+  Session session;
+  REQUIRE(session.load(mesh).ok());
+  prepareAnalogy(session, analogy);
+  return finish(session, mesh.vertexCount());
 }
 
 double angleToStyle(const Points& positions, const Triangles& triangles, const GaussMap& style) {

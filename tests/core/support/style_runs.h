@@ -31,6 +31,9 @@ struct StyledRun {
   Outcome outcome = Outcome::running;
 };
 
+/// Runs a prepared session to its end.
+StyledRun finish(Session& session, Index vertexCount);
+
 /// Gives a session that holds a mesh the method and its parameters, and prepares it.
 void prepareAnalogy(Session& session, const Analogy& analogy);
 

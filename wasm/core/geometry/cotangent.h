@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "base/sparse_matrix.h"
 #include "base/types.h"
 
@@ -9,9 +11,30 @@ namespace whittle {
 /// values are kept. Of a degenerate face the area is floored, so its stiffness is finite and still semidefinite; a face
 /// that uses one vertex twice has none.
 CornerScalars halfCotangents(const Points& positions, const Triangles& triangles);
+/// The same without allocating, into `cotangents` (#F×3).
+void halfCotangents(const Points& positions, const Triangles& triangles, CornerScalars& cotangents);
 
 /// Cotangent Laplacian L (#V×#V, symmetric positive semidefinite, both triangles stored): L_ij = −Σ c_fe over the faces
 /// of edge ij, rows sum to zero. A vertex without a face has an empty row.
 SparseMatrix cotangentLaplacian(const Triangles& triangles, const CornerScalars& halfCotangents, Index vertexCount);
+
+/// The cotangent Laplacian of triangles whose vertices move: its pattern is found once and its values are filled in anew without
+/// allocating.
+class LaplacianPattern {
+ public:
+  /// @param held vertices whose rows and columns are those of the identity
+  LaplacianPattern(const Triangles& triangles, Index vertexCount, const std::vector<Index>& held);
+
+  /// The lower triangle of L, positive definite where every part has a held vertex. Good until the next call.
+  const SparseMatrix& fill(const CornerScalars& halfCotangents);
+
+ private:
+  static constexpr Index kNowhere = -1;
+
+  const Triangles& triangles_;
+  std::vector<bool> isHeld_;                                            // #V
+  Eigen::Matrix<Index, Eigen::Dynamic, 3, Eigen::RowMajor> edgePlaces_;  // #F×3: where the edge opposite to a corner has its value
+  SparseMatrix lower_;
+};
 
 }  // namespace whittle

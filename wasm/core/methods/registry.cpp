@@ -4,7 +4,9 @@
 
 #include "methods/local_global/arap.h"
 #include "methods/local_global/cubic.h"
+#include "methods/local_global/developable.h"
 #include "methods/local_global/normal_driven.h"
+#include "methods/polycube/polycube.h"
 #include "methods/spherical/conformal_flow.h"
 
 namespace whittle {
@@ -41,7 +43,7 @@ std::string describe(const ParameterInfo& info) {
 }  // namespace
 
 const std::vector<MethodInfo>& methodRegistry() {
-  static const std::vector<MethodInfo> methods = {cubicMethod(), analogyMethod(), arapMethod(), sphericalMethod()};
+  static const std::vector<MethodInfo> methods = {cubicMethod(), analogyMethod(), polycubeMethod(), developableMethod(), arapMethod(), sphericalMethod()};
   return methods;
 }
 

@@ -11,8 +11,6 @@ namespace whittle {
 
 namespace {
 
-/// A step shorter than this (unit frame) is rounding: the shape is at rest.
-constexpr double kNoMove = 1e-7;
 /// Share of the energy that the regularizers' single precision decides.
 constexpr double kRounding = 1e-7;
 
@@ -21,7 +19,11 @@ constexpr Index kBlock = 64;
 
 const std::vector<Lanes> kNoGrowths;
 
-enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance, kMaxIterations };
+enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance };
+
+ParameterInfo maxIterationsParameter(int usual) {
+  return {"maxIterations", ParameterKind::integer, Stale::targets, static_cast<double>(usual), 0, 1e6};
+}
 
 }  // namespace
 
@@ -30,17 +32,19 @@ std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own) 
   own.push_back(Acceleration::parameter());
   own.push_back(StoppingRule::parameter());
   own.push_back({"tolerance", ParameterKind::number, Stale::targets, 3e-3, 0, 1});
-  own.push_back({"maxIterations", ParameterKind::integer, Stale::targets, 1000, 0, 1e6});
+  own.push_back(maxIterationsParameter(1000));
+  return own;
+}
+
+std::vector<ParameterInfo> withIterations(std::vector<ParameterInfo> own, int usual) {
+  own.push_back({"handles", ParameterKind::handles, Stale::system});
+  own.push_back(maxIterationsParameter(usual));
   return own;
 }
 
 Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
   if (stale == Stale::nothing) return {};
-  const double* shared = settings.numbers.data() + ownParameters_;
-  accelerationKind_ = static_cast<Acceleration::Kind>(shared[kAcceleration]);
-  stopping_.quantity = static_cast<StoppingRule::Quantity>(shared[kStopOn]);
-  stopping_.tolerance = shared[kTolerance];
-  stopping_.maxIterations = static_cast<int>(shared[kMaxIterations]);
+  takeEnding(settings);
   handles_.targets = settings.handles.targets;
   if (stale >= Stale::all) prepareRestShape(rest, localStep_->rigidity(settings));
   if (stale >= Stale::weights) {
@@ -51,6 +55,18 @@ Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, 
   Status status = prepareSystem(settings.handles);
   if (status.ok() && stale >= Stale::all) claimRunningState();  // late: the factorization's memory is the peak
   return status;
+}
+
+void LocalGlobal::takeEnding(const Settings& settings) {
+  stopping_.maxIterations = static_cast<int>(settings.numbers.back());
+  if (ending_ == Ending::iterations) {
+    stopping_.quantity = StoppingRule::Quantity::iterations;
+    return;
+  }
+  const double* shared = settings.numbers.data() + ownParameters_;
+  accelerationKind_ = static_cast<Acceleration::Kind>(shared[kAcceleration]);
+  stopping_.quantity = static_cast<StoppingRule::Quantity>(shared[kStopOn]);
+  stopping_.tolerance = shared[kTolerance];
 }
 
 void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) {
@@ -164,7 +180,7 @@ double LocalGlobal::relativeDisplacement(const Points& positions) const {
     sum += fromRest;  // a maximum does not see what is not a number
   }
   if (!std::isfinite(sum)) return std::numeric_limits<double>::quiet_NaN();
-  return move <= kNoMove * kNoMove ? 0 : std::sqrt(move / way);
+  return StoppingRule::relativeDisplacement(move, way);
 }
 
 }  // namespace whittle

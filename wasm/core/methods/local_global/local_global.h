@@ -13,23 +13,31 @@
 
 namespace whittle {
 
-/// The parameters that every local/global method ends its list with, and where they start in it.
+/// The parameters that a local/global method ends its list with.
+enum class Ending {
+  shared,      // handles, acceleration, stopOn, tolerance, maxIterations
+  iterations,  // handles, maxIterations: where targets follow the output, so that nothing but the count says when to stop
+};
+
 std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own);
+/// @param usual how many iterations, by default
+std::vector<ParameterInfo> withIterations(std::vector<ParameterInfo> own, int usual);
 
 /// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, by turns over the rotations R (local step, the policy)
 /// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge). The
 /// energy of the points that iterations start from never rises, accelerated or not.
 class LocalGlobal : public Method {
  public:
-  /// @param ownParameters how many parameters come before the shared ones
-  LocalGlobal(std::unique_ptr<LocalStep> localStep, std::size_t ownParameters)
-      : localStep_(std::move(localStep)), ownParameters_(ownParameters) {}
+  /// @param ownParameters how many parameters come before those of the ending
+  LocalGlobal(std::unique_ptr<LocalStep> localStep, std::size_t ownParameters, Ending ending = Ending::shared)
+      : localStep_(std::move(localStep)), ownParameters_(ownParameters), ending_(ending) {}
 
   Status prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) override;
   void begin(Points& positions) override;
   Status step(Points& positions, StepReport& report) override;
 
  private:
+  void takeEnding(const Settings& settings);
   void prepareRestShape(const TriangleMesh& rest, Rigidity rigidity);
   void claimRunningState();
   Status prepareSystem(const Handles& handles);
@@ -46,6 +54,7 @@ class LocalGlobal : public Method {
 
   std::unique_ptr<LocalStep> localStep_;
   std::size_t ownParameters_;
+  Ending ending_;
   StoppingRule stopping_;
   Acceleration::Kind accelerationKind_ = Acceleration::Kind::nesterov;
   Handles handles_;

@@ -11,12 +11,13 @@ namespace whittle {
 /// falling. The quantity is
 /// - displacement: the longest move of an iteration as a share of the longest way from rest (2019, §3.1);
 /// - energy: the decrease of two iterations in a row, each as a share of the energy before it (accelerated iterations that turn
-///   back decrease it little, once).
+///   back decrease it little, once);
+/// - iterations: none. Of an energy that changes with the output only the limit ends the run, or a shape at rest.
 class StoppingRule {
  public:
-  enum class Quantity { displacement, energy };
+  enum class Quantity { displacement, energy, iterations };
 
-  /// The parameter that chooses among them.
+  /// The parameter that chooses among the first two.
   static ParameterInfo parameter() { return choiceParameter("stopOn", Stale::targets, {"displacement", "energy"}); }
 
   Quantity quantity = Quantity::displacement;
@@ -29,6 +30,12 @@ class StoppingRule {
     lastImprovement_ = 0;
     energyBefore_ = std::numeric_limits<double>::infinity();
     smallDecreases_ = 0;
+  }
+
+  /// The longest move of an iteration as a share of the longest way from rest, of their squares in the unit frame; 0 where the shape is at
+  /// rest.
+  static double relativeDisplacement(double squaredMove, double squaredWay) {
+    return squaredMove <= kNoMove * kNoMove ? 0 : std::sqrt(squaredMove / squaredWay);
   }
 
   bool exhausted() const { return iterations_ >= maxIterations; }
@@ -44,13 +51,14 @@ class StoppingRule {
     smallDecreases_ = smallDecrease ? smallDecreases_ + 1 : 0;
     energyBefore_ = report.energy;
     // What no longer moves is done by either measure.
-    const bool done = quantity == Quantity::energy ? smallDecreases_ >= 2 || report.change == 0 : report.change <= tolerance;
-    if (done) return Outcome::converged;
-    if (iterations_ - lastImprovement_ >= kPatience) return Outcome::stalled;
+    const bool isSmall = quantity == Quantity::energy ? smallDecreases_ >= 2 : quantity == Quantity::displacement && report.change <= tolerance;
+    if (isSmall || report.change == 0) return Outcome::converged;
+    if (quantity != Quantity::iterations && iterations_ - lastImprovement_ >= kPatience) return Outcome::stalled;
     return exhausted() ? Outcome::iterationLimit : Outcome::running;
   }
 
  private:
+  static constexpr double kNoMove = 1e-7;  // a shorter one is rounding
   static constexpr double kNoticeable = 1e-10;
   static constexpr int kPatience = 100;
 

@@ -1,0 +1,38 @@
+import type { MethodDescriptor } from './descriptor.ts';
+import { handles, iterations, strengthByVertex } from './local-global.ts';
+
+export const developable: MethodDescriptor = {
+  id: 'developable',
+  title: 'Developable',
+  summary: 'Make the mesh of pieces that unroll flat, as if folded of paper: curvature gathers on creases.',
+  paper: 'Normal-Driven Spherical Shape Analogies, 2021, §5.2',
+  parameters: [
+    {
+      name: 'lambda',
+      kind: 'number',
+      label: 'Strength',
+      doc: 'λ of Eq. 3: how strongly normals are drawn to what unrolls, against the shape of each triangle.',
+      invalidates: 'weights',
+      advanced: true,
+      default: 20,
+      min: 0,
+      max: 1000,
+      unit: '',
+    },
+    {
+      name: 'creases',
+      kind: 'number',
+      label: 'Creases',
+      doc: 'Share of the vertices, the most bent ones, that may stay bent; the others are to become flat. 1 makes many small pieces, less makes larger ones, 0 only smooths (App. E).',
+      invalidates: 'weights',
+      default: 0.65,
+      min: 0,
+      max: 1,
+      unit: '',
+      slider: { min: 0, max: 1, step: 0.01 },
+    },
+    strengthByVertex(1000),
+    handles,
+    iterations(150),
+  ],
+};

@@ -1,0 +1,73 @@
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import { carved, errorsOf, launch, openPage, picture } from './support/browser.ts';
+import { type PageServer, servePage } from './support/page-server.ts';
+
+let server: PageServer;
+let browser: Browser;
+let page: Page;
+
+beforeAll(async () => {
+  server = await servePage();
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser?.close();
+  await server?.close();
+});
+afterEach(async () => {
+  expect(errorsOf(page)).toEqual([]);
+  await page.context().close();
+});
+
+const shading = () => page.locator('input[name=shading]:checked').inputValue();
+
+/** Takes a method and waits for its own result. */
+async function choose(title: string): Promise<void> {
+  await page.locator('.switch').getByText(title, { exact: true }).click();
+  await page.waitForFunction(
+    (wanted) => document.querySelector('.switch input:checked + .switch-face')?.textContent === wanted,
+    title,
+  );
+  await carved(page);
+}
+
+it('makes boxes of a mesh, by the directions of a shape', async () => {
+  page = await openPage(browser, server.url);
+  const cubic = await picture(page);
+  await choose('PolyCube');
+  expect(await page.locator('.tile[aria-selected=true]').getAttribute('title')).toBe('Cube');
+  expect(await page.locator('.tile[data-style^=meshes]').count()).toBe(0);
+  expect(await page.locator('[data-act=paint]').count()).toBe(0);
+  expect(await shading()).toBe('flat');
+  const boxes = await picture(page);
+  expect(boxes).not.toBe(cubic);
+  await page.locator('[data-style=shapes-hexagonal-prism]').click();
+  await page.waitForSelector('[data-style=shapes-hexagonal-prism][aria-selected=true]');
+  await carved(page);
+  expect(await picture(page)).not.toBe(boxes);
+  await page.keyboard.press('Control+z');
+  await page.waitForSelector('[data-style=shapes-cube][aria-selected=true]');
+  expect(await picture(page)).toBe(boxes);
+});
+
+it('folds a mesh, and shades it by faces unless told otherwise', async () => {
+  page = await openPage(browser, server.url);
+  await choose('Developable');
+  expect(await shading()).toBe('flat');
+  const half = await picture(page);
+  const range = page.getByLabel('Creases', { exact: true });
+  await range.focus();
+  await page.keyboard.press('Home');
+  await carved(page);
+  await page.waitForFunction(
+    () => document.querySelector('[data-act=undo]')?.getAttribute('aria-label') === 'Undo Creases',
+  );
+  await carved(page);
+  expect(await picture(page)).not.toBe(half);
+  await choose('Cubic');
+  expect(await shading()).toBe('smooth');
+  await page.locator('input[name=shading][value=wire]').check({ force: true });
+  await choose('Developable');
+  expect(await shading()).toBe('wire');
+});

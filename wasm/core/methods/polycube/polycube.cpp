@@ -1,0 +1,139 @@
+#include "methods/polycube/polycube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/surface.h"
+
+namespace whittle {
+
+namespace {
+
+enum Parameter { kDirections, kLambda, kSmoothing, kMaxIterations };
+
+/// Below this sine two directions are the same, or opposite.
+constexpr double kSameDirection = 1e-12;
+
+Mat3 crossMatrix(const Vec3& a) {
+  Mat3 matrix;
+  matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return matrix;
+}
+
+}  // namespace
+
+Mat3 turnToward(const Vec3& n, const Vec3& t, double lambda) {
+  const Vec3 normal = n.cross(t);
+  const double sine = normal.norm(), cosine = n.dot(t);
+  if (sine < kSameDirection) return Mat3::Zero();
+  // In the plane of n and t the gain is 1 + cos θ + λ cos(φ − θ): greatest where tan θ = λ sin φ / (1 + λ cos φ).
+  const double along = 1 + lambda * cosine, across = lambda * sine, length = std::hypot(along, across);
+  if (length == 0) return Mat3::Zero();
+  const Mat3 K = crossMatrix(normal / sine);
+  return across / length * K + (1 - along / length) * K * K;
+}
+
+Status PolyCube::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
+  if (stale == Stale::nothing) return {};
+  if (!settings.style) {
+    return Status::failure(Code::badParameter, "a polycube needs directions; choose some, for example those of the cube");
+  }
+  directions_ = settings.style;
+  lambda_ = settings.numbers[kLambda];
+  smoothing_ = settings.numbers[kSmoothing];
+  stopping_.quantity = StoppingRule::Quantity::iterations;
+  stopping_.maxIterations = static_cast<int>(settings.numbers[kMaxIterations]);
+  return stale < Stale::all ? Status{} : prepareRestShape(rest);
+}
+
+Status PolyCube::prepareRestShape(const TriangleMesh& rest) {
+  rest_ = &rest;
+  const Scalars areas = barycentricAreas(rest.positions, rest.triangles);
+  gauge_.emplace(connectedComponents(rest.triangles, rest.vertexCount()), std::vector<Index>{}, rest.positions, areas);
+  halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
+  laplacian_.emplace(rest.triangles, rest.vertexCount(), gauge_->pins());
+  ringSmoothing_.prepare(rest.positions, rest.triangles);
+  moves_.resize(rest.vertexCount(), 3);
+  previous_ = rest.positions;
+  const SparseMatrix& L = laplacian_->fill(halfCotangents_);
+  cholesky_.analyze(L, {.coordinates = &rest.positions});
+  return cholesky_.factorize(L, true);  // claims what the steps work in
+}
+
+void PolyCube::begin(Points& positions) {
+  stopping_.begin();
+  positions = rest_->positions;
+}
+
+Status PolyCube::step(Points& positions, StepReport& report) {
+  if (stopping_.exhausted()) {
+    report = {Outcome::iterationLimit, 0, 0};
+    return {};
+  }
+  previous_ = positions;
+  report.energy = turnFaces(positions);
+  Status status = globalStep(positions);
+  if (status.ok() && !(std::isfinite(report.energy) && positions.allFinite())) {
+    status = Status::failure(Code::numericalFailure,
+                             "the iteration lost its numbers; the mesh may hold faces too thin to compute with");
+  }
+  if (!status.ok()) {
+    positions = previous_;
+    return status;
+  }
+  report.change = relativeDisplacement(positions);
+  report.outcome = stopping_.judge(report);
+  return {};
+}
+
+double PolyCube::turnFaces(const Points& positions) {
+  const Triangles& triangles = rest_->triangles;
+  halfCotangents(positions, triangles, halfCotangents_);
+  moves_.setZero();
+  double energy = 0;
+  for (Index f = 0; f < triangles.rows(); ++f) {
+    const auto corner = [&](int k) -> Vec3 { return positions.row(triangles(f, k)).transpose(); };
+    const Vec3 edges[] = {corner(2) - corner(1), corner(0) - corner(2), corner(1) - corner(0)};
+    const Vec3 vector = edges[0].cross(edges[1]), n = vector.stableNormalized();
+    if (n.isZero(0)) continue;
+    const Vec3 t = (*directions_)(n);
+    const Mat3 turn = turnToward(n, t, lambda_);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 pull = halfCotangents_(f, k) * (turn * edges[k]);
+      moves_.row(triangles(f, (k + 1) % 3)) -= pull.transpose();
+      moves_.row(triangles(f, (k + 2) % 3)) += pull.transpose();
+    }
+    const Vec3 turned = n + turn * n;
+    energy += vector.norm() * (1 - turned.dot(n) + lambda_ * (1 - turned.dot(t)));
+  }
+  return energy;
+}
+
+Status PolyCube::globalStep(Points& positions) {
+  Status status = cholesky_.factorize(laplacian_->fill(halfCotangents_), true);
+  if (!status.ok()) return status;
+  for (const Index pin : gauge_->pins()) moves_.row(pin).setZero();
+  cholesky_.solve(moves_);
+  positions += moves_;
+  if (smoothing_ > 0) ringSmoothing_.smooth(smoothing_, rest_->triangles, positions);
+  gauge_->restoreCentroids(positions);
+  return {};
+}
+
+double PolyCube::relativeDisplacement(const Points& positions) const {
+  const double move = (positions - previous_).rowwise().squaredNorm().maxCoeff();
+  const double way = (positions - rest_->positions).rowwise().squaredNorm().maxCoeff();
+  return StoppingRule::relativeDisplacement(move, way);
+}
+
+MethodInfo polycubeMethod() {
+  return {"polycube",
+          {{"directions", ParameterKind::style, Stale::targets},
+           {"lambda", ParameterKind::number, Stale::targets, 1, 0, 100},
+           {"smoothing", ParameterKind::number, Stale::targets, 0.2, 0, 1},
+           {"maxIterations", ParameterKind::integer, Stale::targets, 50, 0, 1e6}},
+          [] { return std::unique_ptr<Method>(std::make_unique<PolyCube>()); }};
+}
+
+}  // namespace whittle

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "constraints/gauge.h"
+#include "geometry/cotangent.h"
+#include "linear/sparse_cholesky.h"
+#include "methods/local_global/stopping_rule.h"
+#include "methods/method.h"
+#include "methods/polycube/ring_smoothing.h"
+
+namespace whittle {
+
+/// PolyCube deformation and its kin for other sets of directions (2021, §5.1): face normals turn to the closest of a few directions, and
+/// nothing keeps the details of the input, because every iteration starts anew from what the last one left as its rest shape:
+///
+///     min over R, u of Σ_f Σ_{e∈f} c_e |R_f d_e − u_e|² + λ a_f |R_f n_f − t_f|²  (FARAP, Eq. 4)
+///
+/// with edges d, cotangents, normals, areas and targets t_f of the present shape. There the local step has a closed form; the global one
+/// factors the present Laplacian on the pattern of the input's. Each part keeps its centre. Normals soon lie right and the shape still
+/// drifts, so the number of iterations says when to stop.
+class PolyCube : public Method {
+ public:
+  Status prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) override;
+  /// Every run starts from the rest shape: where it ends depends on the way.
+  void begin(Points& positions) override;
+  Status step(Points& positions, StepReport& report) override;
+
+ private:
+  Status prepareRestShape(const TriangleMesh& rest);
+  /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the energy.
+  double turnFaces(const Points& positions);
+  /// Moves the vertices to the minimum for these turns.
+  Status globalStep(Points& positions);
+  double relativeDisplacement(const Points& positions) const;
+
+  std::shared_ptr<const GaussMap> directions_;
+  double lambda_ = 1;
+  double smoothing_ = 0;
+  StoppingRule stopping_;
+
+  // Prepared once per mesh
+  const TriangleMesh* rest_ = nullptr;
+  std::optional<Gauge> gauge_;
+  std::optional<LaplacianPattern> laplacian_;
+  SparseCholesky cholesky_;
+  RingSmoothing ringSmoothing_;
+
+  // Of the present shape
+  CornerScalars halfCotangents_;
+  Points moves_;  // #V×3: what the turns ask for, then by how much the vertices move
+  Points previous_;
+};
+
+/// What turns a face with unit normal n to the unit normal t as far as is best: the rotation R about n × t that maximises
+/// tr(R (I − n nᵀ)) + λ tᵀ R n, as R − I. Exactly zero where n is t or λ is 0; also where t is −n, from which no way leads.
+Mat3 turnToward(const Vec3& n, const Vec3& t, double lambda);
+
+/// Registry line of the method `polycube`.
+MethodInfo polycubeMethod();
+
+}  // namespace whittle
