@@ -104,6 +104,6 @@ function buffersOf(value: Calls[CallName]['answer']): ArrayBuffer[] {
   if (value instanceof Uint8Array) return [value.buffer];
   if (value === null || 'components' in value) return [];
   if ('positions' in value) return [value.positions.buffer];
-  const { positions, triangles, colors } = value.mesh;
-  return colors ? [positions.buffer, triangles.buffer, colors.buffer] : [positions.buffer, triangles.buffer];
+  const { positions, triangles, colors, uvs } = value.mesh;
+  return [positions, triangles, colors, uvs].flatMap((array) => (array ? [array.buffer] : []));
 }

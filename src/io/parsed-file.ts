@@ -15,7 +15,8 @@ export interface ParsedFile {
   readonly faces: Faces;
   /** #P×3 linear RGB in [0, 1]. */
   readonly colors?: Float32Array<ArrayBuffer>;
-  readonly hasUvs: boolean;
+  /** #C×2, v upward; NaN at corners without. Absent where the file has none. */
+  readonly uvs?: Float32Array<ArrayBuffer>;
   /** Sentences about what was skipped. */
   readonly warnings: readonly string[];
 }
