@@ -1,6 +1,5 @@
 #include "methods/local_global/normal_driven.h"
 
-#include "geometry/rotation_fit.h"
 #include "geometry/surface.h"
 #include "methods/local_global/local_global.h"
 
@@ -9,18 +8,6 @@ namespace whittle {
 namespace {
 
 enum Parameter { kStyle, kLambda, kRegularizer, kDynamicTargets, kLambdaPerVertex, kOwnParameters };
-
-/// λ of every element: its own, the mean of a face's corners, or the one of all.
-Scalars lambdas(const Settings& settings, const Triangles& triangles, Index vertexCount, bool perFace) {
-  const Scalars& own = settings.scalars[kLambdaPerVertex];
-  if (own.size() == 0) return Scalars::Constant(perFace ? triangles.rows() : vertexCount, settings.numbers[kLambda]);
-  if (!perFace) return own;
-  Scalars means(triangles.rows());
-  for (Index f = 0; f < triangles.rows(); ++f) {
-    means[f] = (own[triangles(f, 0)] + own[triangles(f, 1)] + own[triangles(f, 2)]) / 3;
-  }
-  return means;
-}
 
 }  // namespace
 
@@ -34,27 +21,11 @@ Status NormalDriven::prepare(const RestShape& rest, const Settings& settings) {
   triangles_ = &rest.mesh.triangles;
   rigidity_ = rigidity(settings);
   isDynamic_ = settings.numbers[kDynamicTargets] != 0;
-  prepareStrengths(rest, settings);
+  targets_.prepare(rest, rigidity_, settings.numbers[kLambda], settings.scalars[kLambdaPerVertex]);
+  present_ = targets_.normals();
+  scratch_.resize(rest.mesh.vertexCount());
   lookUpTargets();
   return {};
-}
-
-void NormalDriven::prepareStrengths(const RestShape& rest, const Settings& settings) {
-  const auto& [positions, triangles] = rest.mesh;
-  const bool perFace = rigidity_ == Rigidity::farap;
-  present_ = perFace ? faceNormals(positions, triangles) : rest.normals;
-  scratch_.resize(positions.rows());
-  const Scalars areas = perFace ? faceAreas(positions, triangles) : mixedVoronoiAreas(positions, triangles);
-  strengths_ = areas.cwiseProduct(lambdas(settings, triangles, rest.mesh.vertexCount(), perFace));
-  const Index count = static_cast<Index>(present_.rows());
-  normals_.assign(batchCount(count), WideVectors{});
-  pulls_ = normals_;
-  for (Index k = 0; k < count; ++k) {
-    WideVectors& n = normals_[k / 4];
-    n.x[k % 4] = present_(k, 0), n.y[k % 4] = present_(k, 1), n.z[k % 4] = present_(k, 2);
-    if (present_.row(k).isZero(0)) strengths_[k] = 0;
-  }
-  pullEnergy_ = 2 * strengths_.sum();
 }
 
 void NormalDriven::observe(const Points& positions) {
@@ -68,27 +39,10 @@ void NormalDriven::observe(const Points& positions) {
 }
 
 void NormalDriven::lookUpTargets() {
-  for (Index k = 0; k < strengths_.size(); ++k) {
+  for (Index k = 0; k < targets_.count(); ++k) {
     const Vec3 n = present_.row(k).transpose();
-    if (strengths_[k] == 0 || n.isZero(0)) continue;
-    const Vec3 target = (2 * strengths_[k]) * (*style_)(n);
-    WideVectors& pull = pulls_[k / 4];
-    pull.x[k % 4] = target.x(), pull.y[k % 4] = target.y(), pull.z[k % 4] = target.z();
+    if (targets_.strengths()[k] != 0 && !n.isZero(0)) targets_.set(k, (*style_)(n));
   }
-}
-
-void NormalDriven::pull(std::size_t batch, CovarianceLanes& covariances) const {
-  const WideVectors &n = normals_[batch], &t = pulls_[batch];
-  const DoubleLanes rows[] = {n.x, n.y, n.z};
-  for (int i = 0; i < 3; ++i) {
-    auto& row = covariances.m[i];
-    row[0] += rows[i] * t.x, row[1] += rows[i] * t.y, row[2] += rows[i] * t.z;
-  }
-}
-
-Lanes NormalDriven::fit(std::size_t, const ScaledCovariances& covariances, bool, QuaternionLanes& rotations) {
-  fitRotations(covariances, rotations);
-  return splat(0);
 }
 
 MethodInfo analogyMethod() {
