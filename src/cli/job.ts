@@ -6,12 +6,13 @@ import type { RunFiles } from './command.ts';
 import { readBytes, requireFolderOf, writeWhole } from './files.ts';
 import { at, UsageError } from './problems.ts';
 import type { Progress } from './progress.ts';
+import { withRelief } from './relief.ts';
 import { inputReport, type RunReport, type StepReport, stepReport } from './report.ts';
 import { withStyle } from './style.ts';
 
 export interface Job {
   readonly steps: readonly RecipeStep[];
-  /** The recipe's file, if there is one: the styles that it names lie beside it. */
+  /** The recipe's file, if there is one: the styles and pictures that it names lie beside it. */
   readonly recipe?: string | undefined;
   readonly files: RunFiles;
   readonly progress: Progress;
@@ -69,7 +70,13 @@ async function runSteps(engine: Engine, mesh: Mesh, job: Job): Promise<StepsResu
     const place = steps.length === 1 ? files.input : `${files.input}, step ${index + 1} (${method})`;
     const onFrame = progress.follow(steps.length === 1 ? method : `step ${index + 1}: ${method}`);
     const loading = stopwatch();
-    const parameters = await withStyle(engine, step, job.recipe);
+    const styled = await withStyle(engine, step, job.recipe);
+    const { parameters, warnings } = await withRelief(
+      current,
+      place,
+      { method, parameters: styled },
+      job.recipe,
+    );
     const meshReport = await at(place, engine.inspect(current, index === 0 ? { signal } : {}));
     const loadMilliseconds = loading();
     input ??= inputReport(meshReport);
@@ -78,6 +85,7 @@ async function runSteps(engine: Engine, mesh: Mesh, job: Job): Promise<StepsResu
     const solved = await at(place, engine.solve(current, settings, { signal, onFrame }));
     engine.release(current);
     reports.push(stepReport(method, solved, loadMilliseconds));
+    reports.at(-1)!.warnings.push(...warnings);
     current = { ...current, positions: solved.positions };
     if (solved.outcome === 'cancelled') break;
   }

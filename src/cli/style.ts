@@ -68,7 +68,7 @@ async function sourceOf(engine: Engine, name: string, recipe: string | undefined
 }
 
 /** What a recipe names lies beside it. */
-function pathOf(name: string, recipe: string | undefined): string {
+export function pathOf(name: string, recipe: string | undefined): string {
   return recipe === undefined ? name : resolve(dirname(recipe), name);
 }
 

@@ -8,7 +8,7 @@ type Point = Handles['targets'][number];
  * Parameters as the core takes them: handles and numbers by vertex are those of welded vertices, everything else stays.
  *
  * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place;
- *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style
+ *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style or picture
  */
 export function toWelded(
   method: MethodDescriptor,
@@ -20,7 +20,9 @@ export function toWelded(
     const value = parameters[name];
     if (kind === 'handles' && value !== undefined) welded[name] = weldHandles(name, value as Handles, mesh);
     if (kind === 'scalars' && value !== undefined) welded[name] = weldScalars(name, value as Scalars, mesh);
-    if (kind === 'style' && typeof value === 'string') throw unresolvedStyle(name, value);
+    if (kind === 'style' && typeof value === 'string')
+      throw unresolved(name, value, 'a Gauss map', 'resolveStyle');
+    if (kind === 'relief' && typeof value === 'string') throw unresolved(name, value, 'a relief', 'reliefOf');
   }
   return welded;
 }
@@ -48,10 +50,10 @@ function weldScalars(
   return sums.map((sum, vertex) => sum / visits[vertex]!);
 }
 
-function unresolvedStyle(name: string, value: string): WhittleError {
+function unresolved(name: string, value: string, thing: string, maker: string): WhittleError {
   return new WhittleError(
     'bad-parameter',
-    `“${name}” is the name “${value}”, but the engine takes the style itself; make a Gauss map of it with resolveStyle first.`,
+    `“${name}” is the name “${value}”, but the engine takes ${thing} itself; make one with ${maker} first.`,
   );
 }
 

@@ -62,8 +62,14 @@ function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterP
       if (typeof value === 'boolean') return undefined;
       return problem('bad-parameter', name, `“${name}” must be true or false, not ${show(value)}.`);
     case 'scalars':
-    case 'style': {
-      const what = descriptor.kind === 'style' ? styleProblem(value) : scalarsProblem(descriptor, value);
+    case 'style':
+    case 'relief': {
+      const what =
+        descriptor.kind === 'scalars'
+          ? scalarsProblem(descriptor, value)
+          : descriptor.kind === 'style'
+            ? styleProblem(value)
+            : reliefProblem(value);
       return what === undefined ? undefined : problem('bad-parameter', name, `“${name}” ${what}`);
     }
     case 'handles': {
@@ -98,6 +104,14 @@ function styleProblem(value: unknown): string | undefined {
   const hasSphere = points instanceof Float64Array && triangles instanceof Uint32Array;
   if (kind === 'sphere' && hasNormals && hasSphere && (per === 'vertex' || per === 'face')) return undefined;
   return `must name a primitive, a style mesh or a file, or be a Gauss map, not ${show(value)}.`;
+}
+
+function reliefProblem(value: unknown): string | undefined {
+  if (typeof value === 'string' && value !== '') return undefined;
+  const { uvs, slopes } = (value ?? {}) as Partial<Record<string, unknown>>;
+  if (uvs instanceof Float32Array && slopes instanceof Float32Array && uvs.length === slopes.length)
+    return undefined;
+  return `must name a picture or a pattern, or be a relief, not ${show(value)}.`;
 }
 
 /** The rest of a sentence that begins with the parameter's name. */

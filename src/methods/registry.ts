@@ -1,10 +1,11 @@
 import { analogy } from './analogy.ts';
 import type { MethodDescriptor } from './descriptor.ts';
 import { arap, cubic } from './local-global.ts';
+import { normalmap } from './normalmap.ts';
 import { spherical } from './spherical.ts';
 
 /** All methods, in the order in which the page offers them. A contract test holds it against the core's own list. */
-export const methods: readonly MethodDescriptor[] = [cubic, analogy, arap, spherical];
+export const methods: readonly MethodDescriptor[] = [cubic, analogy, normalmap, arap, spherical];
 
 export function findMethod(id: string): MethodDescriptor | undefined {
   return methods.find((method) => method.id === id);

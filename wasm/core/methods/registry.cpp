@@ -5,13 +5,14 @@
 #include "methods/local_global/arap.h"
 #include "methods/local_global/cubic.h"
 #include "methods/local_global/normal_driven.h"
+#include "methods/local_global/normal_map.h"
 #include "methods/spherical/conformal_flow.h"
 
 namespace whittle {
 
 namespace {
 
-constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag", "scalars", "style", "handles"};
+constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag", "scalars", "style", "relief", "handles"};
 constexpr const char* kStaleNames[] = {"nothing", "targets", "weights", "system", "all"};
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
@@ -31,7 +32,7 @@ std::string describe(const ParameterInfo& info) {
     json += "]";
   } else if (info.kind == ParameterKind::flag) {
     json += info.defaultValue != 0 ? ",\"default\":true" : ",\"default\":false";
-  } else if (info.kind != ParameterKind::handles && info.kind != ParameterKind::style) {
+  } else if (info.isNumber() || info.kind == ParameterKind::scalars) {
     if (info.isNumber()) json += ",\"default\":" + number(info.defaultValue);
     json += ",\"min\":" + number(info.min) + ",\"max\":" + number(info.max);
   }
@@ -41,7 +42,7 @@ std::string describe(const ParameterInfo& info) {
 }  // namespace
 
 const std::vector<MethodInfo>& methodRegistry() {
-  static const std::vector<MethodInfo> methods = {cubicMethod(), analogyMethod(), arapMethod(), sphericalMethod()};
+  static const std::vector<MethodInfo> methods = {cubicMethod(), analogyMethod(), normalmapMethod(), arapMethod(), sphericalMethod()};
   return methods;
 }
 
