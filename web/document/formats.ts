@@ -32,10 +32,12 @@ export function exportName({ source, method }: WhittleDocument, format: Format):
 
 /** The command line that makes the same file without the page. */
 export function commandLine(document: WhittleDocument): string {
-  const { source, method, parameters, style } = document;
+  const { source, method, parameters, style, picture } = document;
   const descriptor = methods.find(({ id }) => id === method);
   const flags = (descriptor?.parameters ?? []).flatMap((parameter) => {
     if (parameter.kind === 'style') return style ? ['--style', quoted(style.source)] : [];
+    if (parameter.kind === 'relief')
+      return picture ? [`--${kebab(parameter.name)}`, quoted(picture.source)] : [];
     const value = parameters[parameter.name];
     if (!('default' in parameter) || value === undefined || value === parameter.default) return [];
     return [`--${kebab(parameter.name)}`, String(value)];

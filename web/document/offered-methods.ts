@@ -7,7 +7,8 @@ import type {
   ParameterValues,
 } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
-import type { Shaping, WhittleDocument } from './document.ts';
+import type { WhittleDocument } from './document.ts';
+import { laid, startingRepeat } from './pictures.ts';
 import { startingLambda, startingStrength } from './starting-lambda.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
@@ -33,19 +34,39 @@ export function takesStyle(method: MethodDescriptor | undefined): boolean {
   return method?.parameters.some(({ kind }) => kind === 'style') ?? false;
 }
 
+/** Methods that make shape of a picture. */
+export function takesPicture(method: MethodDescriptor | undefined): boolean {
+  return method?.parameters.some(({ kind }) => kind === 'relief') ?? false;
+}
+
+/** Why a method cannot be used on a mesh, as a sentence; undefined if it can. */
+export function obstacle(
+  method: MethodDescriptor,
+  { mesh }: Pick<WhittleDocument, 'mesh'>,
+): string | undefined {
+  if (!takesPicture(method) || mesh.uvs) return undefined;
+  return `${method.title} lays a picture on the mesh by its texture coordinates, and this mesh has none; unwrap it and export it with UVs.`;
+}
+
 /** What a method opens with on a mesh: its defaults, but for what depends on the mesh and the style. */
 export function startingParameters(
   method: MethodDescriptor,
-  { report, style }: Pick<WhittleDocument, 'report' | 'style'>,
+  { report, style, mesh, picture }: Pick<WhittleDocument, 'report' | 'style' | 'mesh' | 'picture'>,
 ): ParameterValues {
   const values: Record<string, number | string | boolean> = {};
   for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
+  if (takesPicture(method)) return picture ? { ...values, repeat: startingRepeat(picture, mesh) } : values;
   if (typeof values.lambda !== 'number') return values;
   values.lambda = takesStyle(method) && style ? startingStrength(style.map) : startingLambda(report.vertices);
   return values;
 }
 
 /** What the engine gets. */
-export function solverParameters({ method, parameters, style }: Shaping): ParameterValues {
-  return style && takesStyle(findMethod(method)) ? { ...parameters, style: style.map } : parameters;
+export function solverParameters(document: WhittleDocument): ParameterValues {
+  const { parameters, style, picture, mesh } = document;
+  const method = findMethod(document.method);
+  if (style && takesStyle(method)) return { ...parameters, style: style.map };
+  if (picture && takesPicture(method))
+    return { ...parameters, image: laid(picture, mesh, Number(parameters.repeat)).relief };
+  return parameters;
 }

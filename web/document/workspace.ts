@@ -164,7 +164,8 @@ export class Workspace {
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
     const method = offeredMethods()[0]!;
     const style = this.document?.style ?? null;
-    const parameters = startingParameters(method, { report, style });
+    const picture = this.document?.picture ?? null;
+    const parameters = startingParameters(method, { report, style, mesh, picture });
     return {
       source: { bytes, name, format },
       mesh,
@@ -172,6 +173,7 @@ export class Workspace {
       method: method.id,
       parameters,
       style,
+      picture,
       result: null,
     };
   }

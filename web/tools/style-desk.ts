@@ -131,11 +131,10 @@ export class StyleDesk {
     const { document } = this.#store.state;
     const method = methods.find(takesStyle);
     if (!document || !method) return;
-    const { report } = document;
     const parameters =
       document.method === method.id
         ? carriedOver(document, style)
-        : startingParameters(method, { report, style });
+        : startingParameters(method, { ...document, style });
     this.#workspace.restyle({ method: method.id, parameters, style }, style.name);
   }
 
