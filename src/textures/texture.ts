@@ -71,7 +71,7 @@ export function textureOfHeights(width: number, height: number, heights: ArrayLi
 /** A colour's number as a coordinate; both bytes in the middle, 127 and 128, are 0, as painters of flat maps mean them. */
 function coordinate(value: number): number {
   const x = 2 * value - 1;
-  return Math.abs(x) < 0.0045 ? 0 : x;
+  return Math.abs(Math.abs(x) - 1 / 255) < 1e-6 ? 0 : x;
 }
 
 /** Of the pixels that can be seen. A mid grey is no normal, and none points into the surface. */
