@@ -19,7 +19,7 @@ const document = {
 
 describe('what is offered', () => {
   it('leaves out methods with nothing to set here', () => {
-    expect(offeredMethods().map(({ id }) => id)).toEqual(['cubic', 'analogy']);
+    expect(offeredMethods().map(({ id }) => id)).toEqual(['cubic', 'analogy', 'normalmap']);
   });
 
   it('starts finer meshes with less', () => {
