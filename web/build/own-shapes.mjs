@@ -37,7 +37,7 @@ export function openVase({ around = 144, along = 96 } = {}) {
  * A smooth, round jar, fine enough to show a relief: open at the rim, the side unrolled three times around and twice up, the foot a
  * disc of its own in the texture. Positions #V×3, uvs #V×2 (v upward), indices #F×3.
  */
-export function roundJar({ around = 288, along = 184, inFoot = 30 } = {}) {
+export function roundJar({ around = 256, along = 168, inFoot = 14 } = {}) {
   const positions = [];
   const uvs = [];
   const indices = [];

@@ -2,7 +2,7 @@ import type { Outcome, Solved } from '../../src/engine/protocol.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
-import type { Texture } from '../../src/textures/texture.ts';
+import type { Picture } from './pictures.ts';
 
 /** The file as it came. */
 export interface Source {
@@ -37,17 +37,6 @@ export interface ChosenStyle {
   readonly map: GaussMap;
 }
 
-/** A picture as the document holds it. Immutable. */
-export interface ChosenPicture {
-  /** Of its entry among the pictures. */
-  readonly id: string;
-  readonly name: string;
-  /** What a recipe and the command line call it: a name of ours or a file. */
-  readonly source: string;
-  readonly isPattern: boolean;
-  readonly texture: Texture;
-}
-
 /** What is to be done to a mesh. */
 export interface Shaping {
   readonly method: string;
@@ -55,7 +44,7 @@ export interface Shaping {
   readonly parameters: ParameterValues;
   /** Kept while another method is chosen. Null until one was chosen. */
   readonly style: ChosenStyle | null;
-  readonly picture: ChosenPicture | null;
+  readonly picture: Picture | null;
 }
 
 /** All that undo brings back. Immutable: a change is a new document. The camera is not in it. */
@@ -89,7 +78,7 @@ export function sameParameters(a: ParameterValues, b: ParameterValues): boolean 
 }
 
 export function sameShaping(a: Shaping, b: Shaping): boolean {
-  const sameBorrowed = a.style?.map === b.style?.map && a.picture?.texture === b.picture?.texture;
+  const sameBorrowed = a.style?.map === b.style?.map && a.picture === b.picture;
   return a.method === b.method && sameBorrowed && sameParameters(a.parameters, b.parameters);
 }
 

@@ -8,20 +8,24 @@ import type {
 } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { WhittleDocument } from './document.ts';
-import { laid, startingRepeat } from './pictures.ts';
+import { laid, type Picture, startingRepeat } from './pictures.ts';
 import { startingLambda, startingStrength } from './starting-lambda.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
 
 function isEditable(parameter: ParameterDescriptor): parameter is EditableParameter {
-  if (parameter.kind === 'choice') return !parameter.isForLibrary;
-  return ['number', 'integer', 'flag'].includes(parameter.kind);
+  return ['number', 'integer', 'flag', 'choice'].includes(parameter.kind);
 }
 
-/** Parameters that the panel can set. */
-export function editableParameters(method: MethodDescriptor): readonly EditableParameter[] {
-  return method.parameters.filter(isEditable);
+/** Parameters that the panel can set. How a style is read follows from the gallery; a picture of one's own can be read in several ways. */
+export function editableParameters(
+  method: MethodDescriptor,
+  picture?: Picture | null,
+): readonly EditableParameter[] {
+  const isReading = ({ kind, isForLibrary }: ParameterDescriptor) => kind === 'choice' && isForLibrary;
+  const hasReadings = takesPicture(method) && picture?.isOwn;
+  return method.parameters.filter(isEditable).filter((one) => hasReadings || !isReading(one));
 }
 
 /** Methods that a person can do something with here: at least one plain control, not only fine-tuning. */
@@ -54,7 +58,7 @@ export function startingParameters(
   { report, style, mesh, picture }: Pick<WhittleDocument, 'report' | 'style' | 'mesh' | 'picture'>,
 ): ParameterValues {
   const values: Record<string, number | string | boolean> = {};
-  for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
+  for (const parameter of editableParameters(method, picture)) values[parameter.name] = parameter.default;
   if (takesPicture(method)) return picture ? { ...values, repeat: startingRepeat(picture, mesh) } : values;
   if (typeof values.lambda !== 'number') return values;
   values.lambda = takesStyle(method) && style ? startingStrength(style.map) : startingLambda(report.vertices);
@@ -67,6 +71,6 @@ export function solverParameters(document: WhittleDocument): ParameterValues {
   const method = findMethod(document.method);
   if (style && takesStyle(method)) return { ...parameters, style: style.map };
   if (picture && takesPicture(method))
-    return { ...parameters, image: laid(picture, mesh, Number(parameters.repeat)).relief };
+    return { ...parameters, image: laid(picture, mesh, parameters).relief };
   return parameters;
 }

@@ -2,7 +2,7 @@ import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { WhittleDocument } from './document.ts';
 import { emptyHistory, type History } from './history.ts';
 import type { Overlay } from './overlays.ts';
-import { builtInPictures, type PictureEntry } from './pictures.ts';
+import { builtInPictures, type Picture } from './pictures.ts';
 import { builtIn, type StyleEntry } from './style-gallery.ts';
 
 export type Activity =
@@ -73,7 +73,7 @@ export interface State {
   readonly overlay: Overlay | null;
   readonly gallery: Gallery;
   /** What there is to lay on the mesh; never undone. */
-  readonly pictures: readonly PictureEntry[];
+  readonly pictures: readonly Picture[];
 }
 
 export type Listener = (state: State) => void;

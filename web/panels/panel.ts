@@ -21,7 +21,7 @@ import './gallery.ts';
 import './menu.ts';
 import './painter.ts';
 import './parameter-control.ts';
-import './pictures.ts';
+import { remarkOn } from './pictures.ts';
 
 /** The style and its few controls, made from the method's descriptor; the way home for the result; what the mesh is like. */
 export class WhittlePanel extends PageElement {
@@ -34,6 +34,7 @@ export class WhittlePanel extends PageElement {
       ${takesStyle(method) && document ? this.#styles() : nothing}
       ${takesPicture(method) && document ? html`<whittle-pictures data-takes-pictures .page=${this.page}></whittle-pictures>` : nothing}
       <div class="controls" @parameter=${this.#change}>${document ? this.#controls(method, document) : nothing}</div>
+      ${takesPicture(method) && document ? remarkOn(document) : nothing}
       ${document ? this.#home(document) : nothing}
       ${document ? measures(this.page, this.state) : nothing}
       ${document ? meshReport(document) : nothing}
@@ -77,7 +78,7 @@ export class WhittlePanel extends PageElement {
   }
 
   #controls(method: MethodDescriptor, document: WhittleDocument) {
-    const editable = editableParameters(method);
+    const editable = editableParameters(method, document.picture);
     const plain = editable.filter(({ advanced }) => !advanced);
     const advanced = editable.filter((parameter) => parameter.advanced);
     const control = (parameter: EditableParameter) =>

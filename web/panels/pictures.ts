@@ -1,7 +1,8 @@
 import { html, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import { shaded } from '../../src/textures/shade.ts';
-import { laid, type PictureEntry } from '../document/pictures.ts';
+import type { WhittleDocument } from '../document/document.ts';
+import { laid, type Picture } from '../document/pictures.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 
@@ -12,9 +13,7 @@ export class WhittlePictures extends PageElement {
   readonly #drawn = new WeakMap<HTMLCanvasElement, string>();
 
   protected override render() {
-    const { pictures, document } = this.state;
-    const { picture, mesh, parameters } = document!;
-    const remark = picture && laid(picture, mesh, Number(parameters.repeat)).remark;
+    const { pictures } = this.state;
     return html`
       <fieldset class="tiles pictures">
         <legend class="hidden">Picture</legend>
@@ -23,7 +22,6 @@ export class WhittlePictures extends PageElement {
       <div class="gallery-tools">
         <button type="button" class="button small" data-act="add-picture" title="A normal map, or any picture whose brightness is height; dropping it here does the same" @click=${() => this.page.pickPicture()}>${icon('add')}Add a picture</button>
       </div>
-      ${remark ? html`<p class="remark" role="status">${remark}</p>` : nothing}
     `;
   }
 
@@ -32,15 +30,24 @@ export class WhittlePictures extends PageElement {
       const entry = this.state.pictures.find(({ id }) => id === canvas.dataset.picture);
       if (!entry || this.#drawn.get(canvas) === entry.id) continue;
       this.#drawn.set(canvas, entry.id);
-      canvas.getContext('2d')?.putImageData(new ImageData(shaded(entry.texture(), side), side, side), 0, 0);
+      canvas.getContext('2d')?.putImageData(new ImageData(shaded(entry.read(), side), side, side), 0, 0);
     }
   }
 
-  readonly #tile = (entry: PictureEntry) => html`
+  readonly #tile = (entry: Picture) => html`
     <label class="tile" title=${entry.name}>
-      <input type="radio" name="picture" .checked=${this.page.pictures.chosenId === entry.id} @change=${() => this.page.pictures.choose(entry)} />
+      <input type="radio" name="picture" .checked=${this.page.pictures.chosen === entry} @change=${() => this.page.pictures.choose(entry)} />
       <canvas width=${side} height=${side} data-picture=${entry.id} aria-hidden="true"></canvas><span>${entry.name}</span>
     </label>`;
+}
+
+/** What a person should know of the picture on the mesh; if it cannot be laid there, the run has said so. */
+export function remarkOn({ picture, mesh, parameters }: WhittleDocument) {
+  let remark: string | undefined;
+  try {
+    remark = picture ? laid(picture, mesh, parameters).remark : undefined;
+  } catch {}
+  return html`<p class="remark" role="status" ?hidden=${!remark}>${remark ?? nothing}</p>`;
 }
 
 customElements.define('whittle-pictures', WhittlePictures);

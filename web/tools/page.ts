@@ -6,7 +6,7 @@ import { commandLine, exportName, type Format, ownFormat } from '../document/for
 import { obstacle, takesPicture } from '../document/offered-methods.ts';
 import { fetchSample, type Sample, samples } from '../document/samples.ts';
 import type { Look, Store } from '../document/store.ts';
-import type { Workspace } from '../document/workspace.ts';
+import type { Beginning, Workspace } from '../document/workspace.ts';
 import { chooseMesh } from './choose-mesh.ts';
 import type { ViewTurn } from './directions.ts';
 import type { Painter } from './painter.ts';
@@ -46,8 +46,8 @@ export class Page {
     this.#viewer = viewer;
   }
 
-  async openSample(sample: Sample): Promise<void> {
-    await this.#attempt(async () => this.workspace.open(await fetchSample(sample), sample.file));
+  async openSample(sample: Sample, begin: Beginning = {}): Promise<void> {
+    await this.#attempt(async () => this.workspace.open(await fetchSample(sample), sample.file, begin));
   }
 
   /** Another method; where the mesh is not made for it, says why and what would be. */
@@ -58,11 +58,11 @@ export class Page {
     const text = obstacle(method, document);
     if (text !== undefined) {
       const sample = samples.find(({ isForPictures }) => isForPictures)!;
-      const run = () => void this.openSample(sample).then(() => this.chooseMethod(id));
+      const run = () => void this.openSample(sample, { method, picture: this.pictures.chosen });
       this.store.set({
         notice: { tone: 'note', text, action: { label: `Try the ${sample.title.toLowerCase()}`, run } },
       });
-    } else if (takesPicture(method)) this.pictures.chooseMethod();
+    } else if (takesPicture(method)) this.pictures.choose(this.pictures.chosen);
     else void this.styles.chooseMethod(id);
   }
 

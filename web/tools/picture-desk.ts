@@ -1,9 +1,7 @@
 import { toFailure } from '../../src/mesh/failure.ts';
 import { methods } from '../../src/methods/registry.ts';
-import { textureOf } from '../../src/textures/texture.ts';
-import type { ChosenPicture } from '../document/document.ts';
 import { startingParameters, takesPicture } from '../document/offered-methods.ts';
-import { builtInPictures, ownPicture, type PictureEntry, startingRepeat } from '../document/pictures.ts';
+import { builtInPictures, ownPicture, type Picture, startingRepeat } from '../document/pictures.ts';
 import type { Store } from '../document/store.ts';
 import type { Workspace } from '../document/workspace.ts';
 import { readPicture } from './read-picture.ts';
@@ -18,49 +16,34 @@ export class PictureDesk {
     this.#workspace = workspace;
   }
 
-  /** The picture that the document has or, before any was chosen, would get. */
-  get chosenId(): string {
-    return this.#store.state.document?.picture?.id ?? builtInPictures[0]!.id;
-  }
-
   /** Lays a picture on the mesh and makes shape of it. */
-  choose(entry: PictureEntry): void {
+  choose(picture: Picture): void {
     const { document } = this.#store.state;
     const method = methods.find(takesPicture);
     if (!document || !method) return;
-    const { id, name, source, isOwn } = entry;
-    try {
-      const picture: ChosenPicture = { id, name, source, isPattern: !isOwn, texture: entry.texture() };
-      const parameters =
-        document.method === method.id
-          ? { ...document.parameters, repeat: startingRepeat(picture, document.mesh) }
-          : startingParameters(method, { ...document, picture });
-      this.#workspace.restyle({ method: method.id, parameters, picture }, name);
-    } catch (thrown) {
-      this.#fail(thrown);
-    }
+    const starting = startingParameters(method, { ...document, picture });
+    // What the person set stays, but for how this very picture is read and how often it comes.
+    const { reading, green, ...kept } = document.method === method.id ? document.parameters : starting;
+    const parameters = { ...starting, ...kept, repeat: startingRepeat(picture, document.mesh) };
+    this.#workspace.restyle({ method: method.id, parameters, picture }, picture.name);
   }
 
-  /** The method, with the picture that was chosen last. */
-  chooseMethod(): void {
-    const entry = this.#store.state.pictures.find(({ id }) => id === this.chosenId);
-    if (entry) this.choose(entry);
+  /** The picture that was chosen last, or the first. */
+  get chosen(): Picture {
+    return this.#store.state.document?.picture ?? builtInPictures[0]!;
   }
 
   /** Takes pictures of the person's own; the last one is put on. */
   async add(files: readonly File[]): Promise<void> {
     for (const file of files) {
       try {
-        const entry = ownPicture(file.name, textureOf(await readPicture(file), file.name));
-        this.#store.set({ pictures: [...this.#store.state.pictures, entry] });
-        this.choose(entry);
+        const picture = ownPicture(file.name, await readPicture(file));
+        picture.read(); // refuses what cannot be used
+        this.#store.set({ pictures: [...this.#store.state.pictures, picture] });
+        this.choose(picture);
       } catch (thrown) {
-        this.#fail(thrown);
+        this.#store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
       }
     }
-  }
-
-  #fail(thrown: unknown): void {
-    this.#store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
   }
 }
