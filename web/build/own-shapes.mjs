@@ -60,13 +60,14 @@ export function roundJar({ around = 256, along = 168, inFoot = 14 } = {}) {
           at(row + 1, column + 1),
           at(row + 1, column),
         ];
-        indices.push(a, b, c, a, c, d);
+        const isAroundPole = place(row / rows)[0] === 0;
+        indices.push(...(isAroundPole ? [] : [a, b, c]), a, c, d);
       }
   };
   const foot = jarProfile(0)[0];
   grid(
     inFoot,
-    (t) => [foot * Math.max(t, 1e-3), jarProfile(0)[1]],
+    (t) => [foot * t, jarProfile(0)[1]],
     (_, __, r, angle) => [0.5 + 0.8 * r * Math.sin(angle), 0.5 + 0.8 * r * Math.cos(angle)],
   );
   grid(along, jarProfile, (t, turn) => [3 * turn, 2 * t]);
