@@ -18,14 +18,15 @@ export function readPng(bytes: Uint8Array, name: string): CapturePixels {
 }
 
 /**
- * The same with all the precision that the file has, 16 bits for heights: RGBA from 0 to 1.
+ * The same with all the precision that the file has, up to 16 bits: RGBA from 0 to `white`.
  *
  * @throws WhittleError as {@link readPng}
  */
 export function readFinePng(bytes: Uint8Array, name: string) {
   const png = decoded(bytes, name);
   const { width, height } = png;
-  return { width, height, data: rgba(png, new Float32Array(4 * width * height), 1) };
+  const [Numbers, white] = png.depth === 16 ? ([Uint16Array, 65535] as const) : ([Uint8Array, 255] as const);
+  return { width, height, white, data: rgba(png, new Numbers(4 * width * height), white) };
 }
 
 function decoded(bytes: Uint8Array, name: string): DecodedPng {
@@ -45,7 +46,7 @@ export function writePng({ width, height, data }: CapturePixels): Uint8Array<Arr
 }
 
 /** Four numbers a pixel up to `white`, whatever the file has: grey or colour, with or without alpha, a palette, 1 to 16 bits. */
-function rgba<Numbers extends Uint8Array | Float32Array>(
+function rgba<Numbers extends Uint8Array | Uint16Array>(
   png: DecodedPng,
   out: Numbers,
   white: number,

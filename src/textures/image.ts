@@ -2,11 +2,8 @@
 export interface Image {
   readonly width: number;
   readonly height: number;
-  /** RGBA from 0 to 1, rows from the top, 4·width·height numbers. */
-  readonly data: Float32Array;
-}
-
-/** A picture of bytes, as a canvas gives them. */
-export function imageOfBytes(width: number, height: number, bytes: ArrayLike<number>): Image {
-  return { width, height, data: Float32Array.from(bytes, (byte) => byte / 255) };
+  /** RGBA from 0 to `white`, rows from the top, 4·width·height numbers. */
+  readonly data: Uint8Array | Uint8ClampedArray | Uint16Array | Float32Array;
+  /** The largest of the numbers: 255, 65535 or 1. */
+  readonly white: number;
 }

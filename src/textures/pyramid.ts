@@ -6,6 +6,8 @@ import type { Texture } from './texture.ts';
  */
 export class Pyramid {
   readonly levels: readonly Texture[];
+  /** Of each level, once it was asked for. */
+  readonly #steepness: number[] = [];
 
   constructor(texture: Texture) {
     const levels = [texture];
@@ -30,11 +32,16 @@ export class Pyramid {
 
   /** How steep the texture is at a level, the root of the mean square. */
   steepness(level: number): number {
-    const { slopes } = this.levels[Math.min(this.levels.length - 1, Math.max(0, Math.round(level)))]!;
-    let sum = 0;
-    for (const slope of slopes) sum += slope * slope;
-    return Math.sqrt((2 * sum) / slopes.length);
+    const place = Math.min(this.levels.length - 1, Math.max(0, Math.round(level)));
+    this.#steepness[place] ??= steepnessOf(this.levels[place]!);
+    return this.#steepness[place];
   }
+}
+
+function steepnessOf({ slopes }: Texture): number {
+  let sum = 0;
+  for (const slope of slopes) sum += slope * slope;
+  return Math.sqrt((2 * sum) / slopes.length);
 }
 
 function addBilinear(
@@ -64,24 +71,38 @@ function halved({ width, height, slopes }: Texture): Texture {
   const rows = covers(height, down);
   const result = new Float32Array(2 * across * down);
   for (let j = 0; j < down; j++)
-    for (let i = 0; i < across; i++)
-      for (const [row, rowShare] of rows[j]!)
-        for (const [column, columnShare] of columns[i]!) {
-          const [to, from] = [2 * (j * across + i), 2 * (row * width + column)];
-          result[to]! += rowShare * columnShare * slopes[from]!;
-          result[to + 1]! += rowShare * columnShare * slopes[from + 1]!;
+    for (let i = 0; i < across; i++) {
+      let [u, v] = [0, 0];
+      for (let row = rows.first[j]!; row <= rows.last[j]!; row++)
+        for (let column = columns.first[i]!; column <= columns.last[i]!; column++) {
+          const share = shareOf(rows, j, row) * shareOf(columns, i, column);
+          const from = 2 * (row * width + column);
+          u += share * slopes[from]!;
+          v += share * slopes[from + 1]!;
         }
+      result[2 * (j * across + i)] = u;
+      result[2 * (j * across + i) + 1] = v;
+    }
   return { width: across, height: down, slopes: result };
 }
 
-/** For each of `few` equal parts of a line, which of `many` it covers, and how much of it each of them is. */
-function covers(many: number, few: number): [part: number, share: number][][] {
+/** A line of many parts as one of few: which of the many each of the few covers, from the first to the last. */
+interface Cover {
+  /** Many over few. */
+  readonly size: number;
+  readonly first: Uint32Array;
+  readonly last: Uint32Array;
+}
+
+function covers(many: number, few: number): Cover {
   const size = many / few;
-  return Array.from({ length: few }, (_, k) => {
-    const [begin, end] = [k * size, (k + 1) * size];
-    const parts: [number, number][] = [];
-    for (let part = Math.floor(begin); part < end - 1e-9; part++)
-      parts.push([part, (Math.min(end, part + 1) - Math.max(begin, part)) / size]);
-    return parts;
-  });
+  return {
+    size,
+    first: new Uint32Array(few).map((_, k) => Math.floor(k * size)),
+    last: new Uint32Array(few).map((_, k) => Math.min(many, Math.ceil((k + 1) * size - 1e-9)) - 1),
+  };
+}
+
+function shareOf({ size }: Cover, k: number, part: number): number {
+  return (Math.min((k + 1) * size, part + 1) - Math.max(k * size, part)) / size;
 }

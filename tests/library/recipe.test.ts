@@ -53,7 +53,11 @@ const refused: [string, string, RegExp][] = [
   ['{"whittle": 1, "steps": []}', 'bad-recipe', /one step or more/],
   ['{"whittle": 1, "step": []}', 'bad-recipe', /no entry “step”.*mean “steps”/],
   [step('"cubic"'), 'bad-recipe', /^r\.json, step 2: a step is an object/],
-  [step('{"lambda": 1}'), 'bad-recipe', /step 2: “method” must name a method: cubic, analogy, normalmap, arap/],
+  [
+    step('{"lambda": 1}'),
+    'bad-recipe',
+    /step 2: “method” must name a method: cubic, analogy, normalmap, arap/,
+  ],
   [step('{"method": "cubik"}'), 'unknown-method', /step 2: there is no method “cubik”.*mean “cubic”/],
   [step('{"method": "zzzzzz"}'), 'unknown-method', /There is: cubic, analogy, normalmap, arap/],
   [step('{"method": "cubic", "Lambda": 1}'), 'bad-parameter', /no parameter “Lambda”.*mean “lambda”/],

@@ -81,7 +81,7 @@ describe('reading a picture', () => {
         { reading: 'normals' },
       ),
     ).toThrow(/a.png: only 0 % of its pixels are normals/);
-    expect(() => textureOf({ width: 0, height: 4, data: new Float32Array() }, 'b.png')).toThrow(
+    expect(() => textureOf({ width: 0, height: 4, data: new Float32Array(), white: 1 }, 'b.png')).toThrow(
       /b.png: .*0 × 4/,
     );
   });

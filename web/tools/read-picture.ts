@@ -1,6 +1,6 @@
 import { WhittleError } from '../../src/mesh/failure.ts';
 import { isPng, readFinePng } from '../../src/styles/png.ts';
-import { type Image, imageOfBytes } from '../../src/textures/image.ts';
+import type { Image } from '../../src/textures/image.ts';
 
 /** File names that mean a picture. */
 export const pictureNames = /\.(png|jpe?g|webp)$/i;
@@ -26,5 +26,5 @@ export async function readPicture(file: File): Promise<Image> {
   const pen = new OffscreenCanvas(width, height).getContext('2d')!;
   pen.drawImage(bitmap, 0, 0);
   bitmap.close();
-  return imageOfBytes(width, height, pen.getImageData(0, 0, width, height).data);
+  return { width, height, white: 255, data: pen.getImageData(0, 0, width, height).data };
 }
