@@ -40,7 +40,7 @@ export function reliefOf(
     const level = Math.log2(footprint(texture, uvs, face, repeat)) - 0.5;
     for (let at = face; at < face + 6; at += 2) {
       const [u, v] = [uvs[at]! * repeat, uvs[at + 1]! * repeat];
-      if (Number.isNaN(u + v)) continue;
+      if (!Number.isFinite(u + v)) continue;
       pyramid.sample(u, v, level, mean);
       slopes.set(mean, at);
     }

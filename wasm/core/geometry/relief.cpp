@@ -9,7 +9,7 @@ namespace whittle {
 
 namespace {
 
-using Slope = Eigen::Vector2d;
+using Pair = Eigen::Vector2d;
 
 /// Share of their squared size below which the texture coordinates of a face span no area.
 constexpr double kNoSpread = 1e-7;
@@ -22,9 +22,9 @@ struct Spread {
 
 /// Twice the area of a face in the texture, negative if mirrored; zero where it has none to speak of, or coordinates are missing.
 double spreadArea(const Relief& relief, Index f) {
-  const Slope first = relief.uvs.row(3 * f).transpose().cast<double>();
-  const Slope toSecond = relief.uvs.row(3 * f + 1).transpose().cast<double>() - first;
-  const Slope toThird = relief.uvs.row(3 * f + 2).transpose().cast<double>() - first;
+  const Pair first = relief.uvs.row(3 * f).transpose().cast<double>();
+  const Pair toSecond = relief.uvs.row(3 * f + 1).transpose().cast<double>() - first;
+  const Pair toThird = relief.uvs.row(3 * f + 2).transpose().cast<double>() - first;
   const double area = toSecond.x() * toThird.y() - toThird.x() * toSecond.y();
   return std::abs(area) > kNoSpread * (toSecond.squaredNorm() + toThird.squaredNorm()) ? area : 0;
 }
@@ -39,7 +39,7 @@ Spread spreadOf(const TriangleMesh& mesh, const Relief& relief, Index f) {
 }
 
 /// The normal of a surface with this slope, in the frame that a face's texture makes about a normal; zero where it makes none.
-Vec3 raised(const Vec3& normal, const Spread& spread, const Slope& slope) {
+Vec3 raised(const Vec3& normal, const Spread& spread, const Pair& slope) {
   Vec3 x = spread.alongU - spread.alongU.dot(normal) * normal;
   const double length = x.norm();
   if (!(length > 1e-9 * spread.alongU.norm())) return Vec3::Zero();
@@ -48,7 +48,7 @@ Vec3 raised(const Vec3& normal, const Spread& spread, const Slope& slope) {
   return (normal - slope.x() * x - slope.y() * y).normalized();
 }
 
-Slope slopeAt(const Relief& relief, Index corner) { return relief.slopes.row(corner).transpose().cast<double>(); }
+Pair slopeAt(const Relief& relief, Index corner) { return relief.slopes.row(corner).transpose().cast<double>(); }
 
 }  // namespace
 
@@ -81,7 +81,7 @@ Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, cons
     if (spread.alongU.isZero(0)) continue;
     for (int k = 0; k < 3; ++k) {
       const Index v = mesh.triangles(f, k);
-      const Slope slope = strength * slopeAt(relief, 3 * f + k);
+      const Pair slope = strength * slopeAt(relief, 3 * f + k);
       if (!slope.isZero(0)) isRaised[static_cast<std::size_t>(v)] = true;
       sums.row(v) += areas[f] * raised(normals.row(v).transpose(), spread, slope).transpose();
     }
@@ -96,8 +96,8 @@ Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, cons
 Points raisedFaceNormals(const TriangleMesh& mesh, const Points& normals, const Relief& relief, double strength) {
   Points targets = normals;
   for (Index f = 0; f < mesh.faceCount(); ++f) {
-    const Slope sum = slopeAt(relief, 3 * f) + slopeAt(relief, 3 * f + 1) + slopeAt(relief, 3 * f + 2);
-    const Slope slope = strength / 3 * sum;
+    const Pair sum = slopeAt(relief, 3 * f) + slopeAt(relief, 3 * f + 1) + slopeAt(relief, 3 * f + 2);
+    const Pair slope = strength / 3 * sum;
     if (slope.isZero(0)) continue;
     const Vec3 target = raised(normals.row(f).transpose(), spreadOf(mesh, relief, f), slope);
     if (!target.isZero(0)) targets.row(f) = target.transpose();

@@ -85,7 +85,7 @@ Status Session::setStyle(const std::string& parameter, const std::optional<Gauss
   return {};
 }
 
-Status Session::setRelief(const std::string& parameter, const std::optional<Relief>& relief) {
+Status Session::setRelief(const std::string& parameter, std::optional<Relief> relief) {
   std::size_t p;
   const auto fits = [](const auto& info) { return info.kind == ParameterKind::relief; };
   if (Status status = find(parameter, fits, p); !status.ok()) return status;
@@ -94,7 +94,7 @@ Status Session::setRelief(const std::string& parameter, const std::optional<Reli
   if (relief) {
     if (Status status = validateRelief(*relief, rest_.faceCount()); !status.ok()) return status;
   }
-  settings_.relief = relief ? std::make_shared<const Relief>(*relief) : nullptr;
+  settings_.relief = relief ? std::make_shared<const Relief>(std::move(*relief)) : nullptr;
   markStale(info_->parameters[p].invalidates);
   return {};
 }
