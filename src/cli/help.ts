@@ -64,7 +64,7 @@ function valueHelp(parameter: ParameterDescriptor): { value: string; range: stri
     case 'style':
       return { value: 'NAME|FILE', range: `default ${parameter.default}` };
     case 'relief':
-      return { value: 'NAME|FILE.png', range: 'needed' };
+      return { value: 'NAME|FILE.png', range: 'default the normal map inside the file, if there is one' };
     case 'handles':
       return { value: 'FILE.json', range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none' };
   }

@@ -4,16 +4,19 @@ import { plainBytes } from './bytes.ts';
 import { fitsFloat32, unfitPosition } from './fit.ts';
 import { type Format, formats } from './formats.ts';
 import { handlers } from './handlers.ts';
-import { type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
+import { type EmbeddedPicture, type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
 import { triangulate } from './polygon.ts';
 import { counted, refusal } from './refuse.ts';
 import { recognise } from './sniff.ts';
 
 export { type Format, fileNameEndings, formatForFileName, formats, isFormat } from './formats.ts';
+export type { EmbeddedPicture } from './parsed-file.ts';
 
 export interface ReadMesh {
   readonly mesh: Mesh;
   readonly format: Format;
+  /** The normal map that the file has inside, if all its parts share one. */
+  readonly normalMap?: EmbeddedPicture;
   /** Sentences about what was skipped or simplified. */
   readonly warnings: string[];
 }
@@ -30,13 +33,13 @@ const mostBytes = 2 ** 31 - 1;
  */
 export function readMesh(bytes: Uint8Array, name: string): ReadMesh {
   const { format, file } = parse(bytes, name);
-  const { positions, colors } = file;
+  const { positions, colors, normalMap } = file;
   const { triangles, corners, roughFaces } = triangulate(positions, file.faces);
   const uvs = file.uvs && cornerUvs(file.uvs, corners);
   const warnings = [...file.warnings];
   if (roughFaces > 0) warnings.push(`Split ${counted(roughFaces, 'very large polygon')} roughly.`);
   const mesh = { positions, triangles, ...(colors ? { colors } : {}), ...(uvs ? { uvs } : {}) };
-  return { mesh, format, warnings };
+  return { mesh, format, warnings, ...(normalMap ? { normalMap } : {}) };
 }
 
 /**

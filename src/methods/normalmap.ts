@@ -12,7 +12,7 @@ export const normalmap: MethodDescriptor = {
       name: 'image',
       kind: 'relief',
       label: 'Picture',
-      doc: 'A PNG, laid on the mesh by its texture coordinates, or a pattern of ours: weave, scales, hammered.',
+      doc: 'A PNG, laid on the mesh by its texture coordinates, or a pattern of ours: weave, scales, hammered. A glTF may bring its own.',
       invalidates: 'weights',
     },
     {

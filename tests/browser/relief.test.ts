@@ -1,8 +1,7 @@
 import { createRequire } from 'node:module';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
-import { writePng } from '../../src/styles/png.ts';
-import { normalMap, type paint } from '../fixtures/textured.ts';
+import { bakedGlb, normalMap, plate, pngOf } from '../fixtures/textured.ts';
 import { carved, errorsOf, launch, openPage, picture } from './support/browser.ts';
 import { type PageServer, servePage } from './support/page-server.ts';
 
@@ -49,10 +48,6 @@ async function drop(target: string, name: string, bytes: Uint8Array): Promise<vo
     [[...bytes], name] as const,
   );
   await page.dispatchEvent(target, 'drop', { dataTransfer: transfer });
-}
-
-function png({ width, height, data }: ReturnType<typeof paint>): Uint8Array {
-  return writePng({ width, height, data: Uint8Array.from(data, (value) => Math.round(255 * value)) });
 }
 
 async function chosen(name: string): Promise<void> {
@@ -111,7 +106,7 @@ it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is n
   await drop(
     '#canvas',
     'waves.png',
-    png(normalMap(64, (u, v) => 0.03 * Math.sin(12 * u) * Math.sin(12 * v))),
+    pngOf(normalMap(64, (u, v) => 0.03 * Math.sin(12 * u) * Math.sin(12 * v))),
   );
   await chosen('waves');
   // Only what is one's own can be read in several ways.
@@ -138,6 +133,18 @@ it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is n
   await tile('Weave').click();
   await chosen('Weave');
   expect(await page.getByLabel('Green points').count()).toBe(0);
+});
+
+it('unbakes the normal map inside a file at the first click', async () => {
+  await openRelief();
+  const map = pngOf(normalMap(64, (u, v) => 0.02 * Math.sin(12 * u) * Math.sin(12 * v)));
+  await drop('#canvas', 'plate.glb', bakedGlb(plate(60), map));
+  await page.waitForFunction(() => !document.querySelector('.pictures'));
+  await carved(page);
+  await relief().click();
+  await chosen('baked');
+  expect(await page.locator('.pictures label').count()).toBe(4);
+  expect(await page.locator('#parameter-repeat').getAttribute('aria-valuetext')).toBe('1');
 });
 
 it.each([

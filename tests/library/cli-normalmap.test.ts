@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test } from 'vitest';
 import { writePng } from '../../src/styles/png.ts';
 import type { Image } from '../../src/textures/image.ts';
 import { icosphere } from '../fixtures/meshes.ts';
-import { normalMap, paint, plate, texturedObj } from '../fixtures/textured.ts';
+import { bakedGlb, normalMap, paint, plate, pngOf, texturedObj } from '../fixtures/textured.ts';
 import { Desk, objPositions, objText } from './cli-harness.ts';
 
 const waves = (u: number, v: number): number => 0.02 * Math.sin(4 * Math.PI * u) * Math.sin(4 * Math.PI * v);
@@ -16,9 +16,8 @@ beforeEach(async () => {
 });
 afterEach(() => desk.clear());
 
-function picture(name: string, { width, height, data }: Image): Promise<void> {
-  const bytes = Uint8Array.from(data, (value) => Math.round(255 * value));
-  return writeFile(desk.path(name), writePng({ width, height, data: bytes }));
+function picture(name: string, image: Image): Promise<void> {
+  return writeFile(desk.path(name), pngOf(image));
 }
 
 async function raised(flags: string): Promise<number[]> {
@@ -76,6 +75,20 @@ test('patterns go by name, and a recipe names its picture from its own folder', 
   await desk.write('recipe.json', { whittle: 1, steps: [step] });
   expect((await desk.run('run @recipe.json @in.obj --out @run.obj')).stderr).toBe('');
   expect(objPositions(await desk.read('run.obj'))).toEqual(await raised('--image @map.png --strength 0.7'));
+});
+
+test('a normal map inside a glTF is unbaked unless another picture is named', async () => {
+  await writeFile(desk.path('in.glb'), bakedGlb(plate(40), pngOf(normalMap(128, waves))));
+  expect(await desk.run('normalmap @in.glb --out @baked.obj')).toEqual({ code: 0, stdout: '', stderr: '' });
+  const [baked, named] = [objPositions(await desk.read('baked.obj')), await raised('--image @map.png')];
+  // The GLB has a vertex for each corner, and single precision.
+  const heights = (positions: readonly number[]) => [
+    Math.min(...positions.filter((_, i) => i % 3 === 2)),
+    Math.max(...positions.filter((_, i) => i % 3 === 2)),
+  ];
+  for (const k of [0, 1]) expect(heights(baked)[k]).toBeCloseTo(heights(named)[k]!, 5);
+  await desk.run('normalmap @in.glb --image weave --out @woven.obj');
+  expect(objPositions(await desk.read('woven.obj'))).not.toEqual(baked);
 });
 
 test('a mesh that is too coarse for the picture is told so', async () => {

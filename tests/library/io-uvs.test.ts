@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { readMesh } from '../../src/io/index.ts';
-import { ascii, gltfBuffer, gltfJson, packGlb } from '../fixtures/tiny-files.ts';
+import { bakedGlb, plate } from '../fixtures/textured.ts';
+import { type AnyJson, ascii, gltfBuffer, gltfJson, packGlb, text } from '../fixtures/tiny-files.ts';
 
 const uvsOf = (text: string, name: string): number[] | undefined => {
   const { uvs } = readMesh(ascii(text), name).mesh;
@@ -114,4 +115,40 @@ test('STL has none', () => {
   const facet =
     'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
   expect(uvsOf(`solid a\n${facet}endsolid a\n`, 'a.stl')).toBeUndefined();
+});
+
+describe('a normal map inside a glTF', () => {
+  const png = Uint8Array.of(137, 80, 78, 71, 1, 2, 3);
+  const read = (change: (json: AnyJson) => void) => {
+    const glb = bakedGlb(plate(2), png);
+    const length = new DataView(glb.buffer).getUint32(12, true);
+    const json = JSON.parse(text(glb.subarray(20, 20 + length)));
+    change(json);
+    return readMesh(packGlb(json, glb.slice(28 + length)), 'a.glb');
+  };
+
+  test('is handed on with its name', () => {
+    expect(read(() => {}).normalMap).toEqual({ name: 'baked', bytes: png });
+    const inline = read((json) => {
+      json.images[0] = { uri: 'data:image/png;base64,iVBORw==' };
+    });
+    expect(inline.normalMap).toEqual({ name: 'normal map', bytes: png.slice(0, 4) });
+  });
+
+  test.each<[string, (json: AnyJson) => void]>([
+    ['other coordinates', (json) => Object.assign(json.materials[0].normalTexture, { texCoord: 1 })],
+    ['no texture', (json) => Object.assign(json.materials[0].normalTexture, { index: 7 })],
+    ['another file', (json) => Object.assign(json, { images: [{ uri: 'map.png' }] })],
+    ['no place', (json) => Object.assign(json.images[0], { bufferView: 9 })],
+    ['no buffer', (json) => Object.assign(json.bufferViews[2], { buffer: 5 })],
+    ['no material', (json) => Object.assign(json, { materials: 3 })],
+    [
+      'not all parts',
+      (json) => json.meshes[0].primitives.push({ ...json.meshes[0].primitives[0], material: undefined }),
+    ],
+  ])('%s: there is none, and the mesh is read all the same', (_, change) => {
+    const { normalMap, mesh } = read(change);
+    expect(normalMap).toBeUndefined();
+    expect(mesh.uvs).toBeDefined();
+  });
 });

@@ -1,4 +1,4 @@
-import type { Outcome, Solved } from '../../src/engine/protocol.ts';
+import type { Outcome, ReadResult, Solved } from '../../src/engine/protocol.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
@@ -10,6 +10,8 @@ export interface Source {
   readonly name: string;
   /** By the bytes: 'obj', 'glb', … */
   readonly format: string;
+  /** The normal map that it has inside, for the pictures. */
+  readonly normalMap?: ReadResult['normalMap'];
 }
 
 /** What a run left. */

@@ -36,8 +36,9 @@ export function commandLine(document: WhittleDocument): string {
   const descriptor = methods.find(({ id }) => id === method);
   const flags = (descriptor?.parameters ?? []).flatMap((parameter) => {
     if (parameter.kind === 'style') return style ? ['--style', quoted(style.source)] : [];
+    // A file's own normal map needs no mention.
     if (parameter.kind === 'relief')
-      return picture ? [`--${kebab(parameter.name)}`, quoted(picture.source)] : [];
+      return picture && !picture.file ? [`--${kebab(parameter.name)}`, quoted(picture.source)] : [];
     const value = parameters[parameter.name];
     if (!('default' in parameter) || value === undefined || value === parameter.default) return [];
     return [`--${kebab(parameter.name)}`, String(value)];

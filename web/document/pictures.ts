@@ -5,6 +5,7 @@ import type { Image } from '../../src/textures/image.ts';
 import { findPattern, patternIds } from '../../src/textures/patterns.ts';
 import { legibility, type ReliefOptions, reliefOf, tilesAlong, tooFine } from '../../src/textures/relief.ts';
 import { type Texture, type TextureOptions, textureOf } from '../../src/textures/texture.ts';
+import type { Source } from './document.ts';
 
 /** A picture to be laid on a mesh. Immutable. */
 export interface Picture {
@@ -15,6 +16,8 @@ export interface Picture {
   readonly source: string;
   /** Brought by the person, and can be read in more than one way. */
   readonly isOwn: boolean;
+  /** The file that has it inside; other meshes do not get it. */
+  readonly file?: Source;
   /** The same object for the same options. @throws WhittleError as `textureOf` */
   readonly read: (options?: TextureOptions) => Texture;
 }
@@ -30,8 +33,13 @@ export const builtInPictures: readonly Picture[] = patternIds.map((id) => ({
 
 let brought = 0;
 
-/** A picture of the person's own. */
-export function ownPicture(file: string, image: Image): Picture {
+/**
+ * A picture of the person's own.
+ *
+ * @param file what it is called
+ * @param inside the mesh file that it comes from, if it comes from one
+ */
+export function ownPicture(file: string, image: Image, inside?: Source): Picture {
   const textures = new Map<string, Texture>();
   const read = ({ reading = 'auto', green = 'up' }: TextureOptions = {}): Texture => {
     const key = `${reading} ${green}`;
@@ -40,7 +48,8 @@ export function ownPicture(file: string, image: Image): Picture {
     return texture;
   };
   const name = file.replace(/\.[^.]*$/, '') || file;
-  return { id: `own-picture-${++brought}`, name, source: file, isOwn: true, read };
+  const id = `own-picture-${++brought}`;
+  return { id, name, source: file, isOwn: true, read, ...(inside ? { file: inside } : {}) };
 }
 
 /** So many of a pattern's tiles along the mesh look right. */

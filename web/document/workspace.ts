@@ -171,16 +171,18 @@ export class Workspace {
     begin: Beginning,
   ): Promise<WhittleDocument> {
     const { engine } = this.#runner;
-    const { mesh, format, warnings } = await engine.read(bytes, name, { signal: task.signal });
+    const { mesh, format, warnings, normalMap } = await engine.read(bytes, name, { signal: task.signal });
     const report = await engine.inspect(mesh, { signal: task.signal });
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
     const method = begin.method ?? offeredMethods()[0]!;
     const style = this.document?.style ?? null;
-    const picture = begin.picture ?? this.document?.picture ?? null;
+    // A normal map inside the file comes before what was chosen for another.
+    const last = normalMap || this.document?.picture?.file ? null : this.document?.picture;
+    const picture = begin.picture ?? last ?? null;
     const parameters = startingParameters(method, { report, style, mesh, picture });
     return {
-      source: { bytes, name, format },
+      source: { bytes, name, format, ...(normalMap ? { normalMap } : {}) },
       mesh,
       report,
       method: method.id,

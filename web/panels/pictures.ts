@@ -13,11 +13,11 @@ export class WhittlePictures extends PageElement {
   readonly #drawn = new WeakMap<HTMLCanvasElement, string>();
 
   protected override render() {
-    const { pictures } = this.state;
+    const { offered } = this.page.pictures;
     return html`
       <fieldset class="tiles pictures">
         <legend class="hidden">Picture</legend>
-        ${repeat(pictures, ({ id }) => id, this.#tile)}
+        ${repeat(offered, ({ id }) => id, this.#tile)}
       </fieldset>
       <div class="gallery-tools">
         <button type="button" class="button small" data-act="add-picture" title="A normal map, or any picture whose brightness is height; dropping it here does the same" @click=${() => this.page.pickPicture()}>${icon('add')}Add a picture</button>
@@ -27,7 +27,7 @@ export class WhittlePictures extends PageElement {
 
   protected override updated(): void {
     for (const canvas of this.querySelectorAll('canvas')) {
-      const entry = this.state.pictures.find(({ id }) => id === canvas.dataset.picture);
+      const entry = this.page.pictures.offered.find(({ id }) => id === canvas.dataset.picture);
       if (!entry || this.#drawn.get(canvas) === entry.id) continue;
       this.#drawn.set(canvas, entry.id);
       canvas.getContext('2d')?.putImageData(new ImageData(shaded(entry.read(), side), side, side), 0, 0);

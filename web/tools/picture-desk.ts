@@ -1,7 +1,8 @@
 import { toFailure } from '../../src/mesh/failure.ts';
 import { methods } from '../../src/methods/registry.ts';
+import type { Source } from '../document/document.ts';
 import { startingParameters, takesPicture } from '../document/offered-methods.ts';
-import { builtInPictures, ownPicture, type Picture, startingRepeat } from '../document/pictures.ts';
+import { ownPicture, type Picture, startingRepeat } from '../document/pictures.ts';
 import type { Store } from '../document/store.ts';
 import type { Workspace } from '../document/workspace.ts';
 import { readPicture } from './read-picture.ts';
@@ -10,10 +11,22 @@ import { readPicture } from './read-picture.ts';
 export class PictureDesk {
   readonly #store: Store;
   readonly #workspace: Workspace;
+  /** Whose normal map was unpacked last. */
+  #source: Source | null = null;
 
   constructor(store: Store, workspace: Workspace) {
     this.#store = store;
     this.#workspace = workspace;
+    store.subscribe(({ document }) => {
+      if (document && document.source !== this.#source) void this.#unpack(document.source);
+    });
+  }
+
+  /** Those that can be laid on the mesh: a file's own normal map first, and on no other mesh. */
+  get offered(): readonly Picture[] {
+    const { pictures, document } = this.#store.state;
+    const own = pictures.filter(({ file }) => file && file === document?.source);
+    return [...own, ...pictures.filter(({ file }) => !file)];
   }
 
   /** Lays a picture on the mesh and makes shape of it. */
@@ -28,9 +41,9 @@ export class PictureDesk {
     this.#workspace.restyle({ method: method.id, parameters, picture }, picture.name);
   }
 
-  /** The picture that was chosen last, or the first. */
+  /** The picture that was chosen last, or else the first. */
   get chosen(): Picture {
-    return this.#store.state.document?.picture ?? builtInPictures[0]!;
+    return this.#store.state.document?.picture ?? this.offered[0]!;
   }
 
   /** Takes pictures of the person's own; the last one is put on. */
@@ -45,5 +58,17 @@ export class PictureDesk {
         this.#store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
       }
     }
+  }
+
+  /** Offers the normal map inside a file; one that cannot be read is just not there. */
+  async #unpack(source: Source): Promise<void> {
+    this.#source = source;
+    if (!source.normalMap || this.#store.state.pictures.some(({ file }) => file === source)) return;
+    const { name, bytes } = source.normalMap;
+    try {
+      const picture = ownPicture(name, await readPicture(new File([bytes], name)), source);
+      picture.read();
+      this.#store.set({ pictures: [...this.#store.state.pictures, picture] });
+    } catch {}
   }
 }

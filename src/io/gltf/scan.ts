@@ -4,6 +4,7 @@ import { counted, refusal } from '../refuse.ts';
 import { Accessor } from './accessor.ts';
 import { GltfDocument, type Json } from './document.ts';
 import { apply3, applyTransposed3, invert3, linearPart, type Matrix, sameMatrix } from './matrix.ts';
+import { NormalMapSearch } from './normal-map.ts';
 import { type Placement, placements } from './scene.ts';
 
 /** One accessor of positions, normals or tangents, and which elements of the whole it holds. */
@@ -52,6 +53,7 @@ class GltfScan {
   readonly #normalParts = new Map<unknown, GltfNormals>();
   readonly #meshes = new Set<number>();
   readonly #warnings = new Set<string>();
+  readonly #normalMap: NormalMapSearch;
   /** Of every corner, v upward; empty as long as no part has any. */
   readonly #uvs = new FloatList();
   #skippedPrimitives = 0;
@@ -59,6 +61,7 @@ class GltfScan {
 
   constructor(document: GltfDocument) {
     this.#document = document;
+    this.#normalMap = new NormalMapSearch(document);
   }
 
   run(): GltfFile {
@@ -73,12 +76,14 @@ class GltfScan {
     }
     const positions = this.#positions.take();
     const colors = this.#colors.length > 0 ? { colors: this.#finishColors(positions.length) } : {};
+    const normalMap = this.#normalMap.found();
     return {
       document: this.#document,
       positions,
       faces: triangleFaces(corners),
       ...colors,
       ...this.#finishUvs(corners.length),
+      ...(normalMap ? { normalMap } : {}),
       warnings: this.#finishWarnings(),
       parts: [...this.#parts.values()],
       normalParts: [...this.#normalParts.values()],
@@ -128,6 +133,7 @@ class GltfScan {
     const triangleCount = mode === 4 ? Math.floor(indices.length / 3) : Math.max(0, indices.length - 2);
     document.spend(triangleCount, place);
     const uvs = this.#uvValues(attributes, vertices, place);
+    if (uvs) this.#normalMap.add(json.material);
     const corner = (i: number) => {
       if (uvs) this.#addUv(uvs, indices[i]);
       this.#corners.push(part.first + indices[i]);
