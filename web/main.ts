@@ -14,6 +14,7 @@ import { followLayout } from './tools/layout.ts';
 import { followOverlay } from './tools/overlay-paint.ts';
 import { Page } from './tools/page.ts';
 import { Painter } from './tools/painter.ts';
+import { PictureDesk } from './tools/picture-desk.ts';
 import { listenForShortcuts } from './tools/shortcuts.ts';
 import { StyleDesk } from './tools/style-desk.ts';
 import { followTheme } from './tools/theme.ts';
@@ -27,8 +28,9 @@ const display = new Display(viewer, () => (lessMotion.matches ? 0 : 260), nextFr
 const engine = createBrowserEngine();
 const workspace = new Workspace(store, new Runner(engine), display);
 const styles = new StyleDesk({ store, workspace, engine, drawn: nextFrame });
+const pictures = new PictureDesk(store, workspace);
 const painter = new Painter(store, workspace, (run) => requestAnimationFrame(run));
-const page = new Page({ store, workspace, styles, painter, display, viewer });
+const page = new Page({ store, workspace, styles, pictures, painter, display, viewer });
 
 followTheme(store, viewer);
 followOverlay(store, viewer);

@@ -63,6 +63,8 @@ function valueHelp(parameter: ParameterDescriptor): { value: string; range: stri
       };
     case 'style':
       return { value: 'NAME|FILE', range: `a FILE.json lists [[x, y, z], …]; default ${parameter.default}` };
+    case 'relief':
+      return { value: 'NAME|FILE.png', range: 'default the normal map inside the file, if there is one' };
     case 'handles':
       return { value: 'FILE.json', range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none' };
   }

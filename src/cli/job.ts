@@ -1,17 +1,17 @@
 import type { Engine } from '../engine/client.ts';
 import { formatForFileName, isFormat } from '../io/index.ts';
-import type { Mesh } from '../mesh/mesh.ts';
 import type { RecipeStep } from '../recipe/index.ts';
 import type { RunFiles } from './command.ts';
 import { readBytes, requireFolderOf, writeWhole } from './files.ts';
 import { at, UsageError } from './problems.ts';
 import type { Progress } from './progress.ts';
+import { type TexturedSurface, withRelief } from './relief.ts';
 import { inputReport, type RunReport, type StepReport, stepReport } from './report.ts';
 import { withStyle } from './style.ts';
 
 export interface Job {
   readonly steps: readonly RecipeStep[];
-  /** The recipe's file, if there is one: the styles that it names lie beside it. */
+  /** The recipe's file, if there is one: the styles and pictures that it names lie beside it. */
   readonly recipe?: string | undefined;
   readonly files: RunFiles;
   readonly progress: Progress;
@@ -33,10 +33,10 @@ export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
   progress.show(`reading ${input}`);
   const reading = stopwatch();
   const source = await readBytes(input);
-  const { mesh, format, warnings } = await engine.read(source, input, { signal });
+  const { mesh, format, warnings, normalMap } = await engine.read(source, input, { signal });
   const readMilliseconds = reading();
 
-  const result = await runSteps(engine, mesh, job);
+  const result = await runSteps(engine, { mesh, normalMap }, job);
   result.reports[0]!.milliseconds.read = readMilliseconds;
   result.reports[0]!.warnings.unshift(...warnings);
 
@@ -59,7 +59,11 @@ interface StepsResult {
 }
 
 /** Each step's result is the next one's rest shape. A step that was cancelled is the last. */
-async function runSteps(engine: Engine, mesh: Mesh, job: Job): Promise<StepsResult> {
+async function runSteps(
+  engine: Engine,
+  { mesh, normalMap }: TexturedSurface,
+  job: Job,
+): Promise<StepsResult> {
   const { steps, files, progress, signal } = job;
   const reports: StepReport[] = [];
   let current = mesh;
@@ -69,7 +73,14 @@ async function runSteps(engine: Engine, mesh: Mesh, job: Job): Promise<StepsResu
     const place = steps.length === 1 ? files.input : `${files.input}, step ${index + 1} (${method})`;
     const onFrame = progress.follow(steps.length === 1 ? method : `step ${index + 1}: ${method}`);
     const loading = stopwatch();
-    const parameters = await withStyle(engine, step, job.recipe);
+    const styled = await withStyle(engine, step, job.recipe);
+    const surface = { mesh: current, normalMap };
+    const { parameters, warnings } = await withRelief(
+      surface,
+      place,
+      { method, parameters: styled },
+      job.recipe,
+    );
     const meshReport = await at(place, engine.inspect(current, index === 0 ? { signal } : {}));
     const loadMilliseconds = loading();
     input ??= inputReport(meshReport);
@@ -78,6 +89,7 @@ async function runSteps(engine: Engine, mesh: Mesh, job: Job): Promise<StepsResu
     const solved = await at(place, engine.solve(current, settings, { signal, onFrame }));
     engine.release(current);
     reports.push(stepReport(method, solved, loadMilliseconds));
+    reports.at(-1)!.warnings.push(...warnings);
     current = { ...current, positions: solved.positions };
     if (solved.outcome === 'cancelled') break;
   }

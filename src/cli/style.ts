@@ -92,7 +92,7 @@ async function sourceOf(
 }
 
 /** What a recipe names lies beside it. */
-function pathOf(name: string, recipe: string | undefined): string {
+export function pathOf(name: string, recipe: string | undefined): string {
   return recipe === undefined ? name : resolve(dirname(recipe), name);
 }
 

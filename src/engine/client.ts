@@ -148,7 +148,9 @@ class WorkerEngine implements Engine {
     const key = this.#keyOf(mesh);
     const known = connection.loaded.get(key);
     if (known) return known;
-    const { answer } = connection.ask({ type: 'load', key, mesh });
+    // Colours and texture coordinates stay here: the solver has no use for them.
+    const { positions, triangles } = mesh;
+    const { answer } = connection.ask({ type: 'load', key, mesh: { positions, triangles } });
     connection.loaded.set(key, answer);
     answer.catch(() => connection.loaded.delete(key));
     return answer;

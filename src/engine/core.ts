@@ -2,6 +2,7 @@ import { type FailureCode, WhittleError } from '../mesh/failure.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
 import type { Handles, ParameterValues, Scalars } from '../methods/descriptor.ts';
 import type { GaussMap } from '../methods/gauss-map.ts';
+import type { Relief } from '../methods/relief.ts';
 import type { Outcome } from './protocol.ts';
 
 /** What one step of a session says. */
@@ -18,7 +19,7 @@ export interface CoreSession {
   /** Validates and takes a welded mesh (#V×3, #F×3); forgets all that was there. */
   load(positions: Float64Array, triangles: Uint32Array): MeshReport;
   /** Chooses a method and its parameters (absent: default); handles and numbers by vertex are those of welded
-   *  vertices, a style is a Gauss map. Keeps the current positions. */
+   *  vertices, a style is a Gauss map, a picture a relief. Keeps the current positions. */
   configure(method: string, parameters: ParameterValues): void;
   /** Goes back to the rest positions. */
   restart(): void;
@@ -82,6 +83,7 @@ interface WasmModule {
     triangles: number,
     triangleCount: number,
   ): number;
+  _whittle_set_relief(session: number, parameter: number, uvs: number, slopes: number, faces: number): number;
   _whittle_set_handles(session: number, vertices: number, targets: number, count: number): number;
   _whittle_restart(session: number): void;
   _whittle_prepare(session: number): number;
@@ -196,6 +198,8 @@ class WasmSession implements CoreSession {
         this.#setScalars(parameter.name, given as Scalars | undefined);
       } else if (parameter.kind === 'style') {
         this.#setStyle(parameter.name, given as GaussMap | undefined);
+      } else if (parameter.kind === 'relief') {
+        this.#setRelief(parameter.name, given as Relief | undefined);
       } else {
         const value = given ?? parameter.default;
         const index = parameter.choices?.indexOf(String(value)); // -1 is outside the range: the core refuses it
@@ -261,6 +265,15 @@ class WasmSession implements CoreSession {
     this.#check(this.#heap.withCopies([normals, points, triangles], set));
   }
 
+  #setRelief(name: string, relief: Relief = noRelief): void {
+    const { uvs, slopes } = relief;
+    const set = (uvsAt: number, slopesAt: number) =>
+      this.#withString(name, (nameAt) =>
+        this.#module._whittle_set_relief(this.#handle, nameAt, uvsAt, slopesAt, uvs.length / 6),
+      );
+    this.#check(this.#heap.withCopies([uvs, slopes], set));
+  }
+
   #setHandles(handles: Handles = { vertices: [], targets: [] }): void {
     const vertices = Int32Array.from(handles.vertices);
     const targets = Float64Array.from(handles.targets.flat());
@@ -300,6 +313,8 @@ class WasmSession implements CoreSession {
     throw new WhittleError(name, message, element < 0 ? undefined : element);
   }
 }
+
+const noRelief: Relief = { uvs: new Float32Array(), slopes: new Float32Array() };
 
 /** A style as the C interface takes it: kind 0, 1, 2, or -1 for none. */
 function flatStyle(style?: GaussMap) {

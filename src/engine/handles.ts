@@ -14,7 +14,7 @@ type Point = Handles['targets'][number];
  * Parameters as the core takes them: handles and numbers by vertex are those of welded vertices, everything else stays.
  *
  * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place;
- *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style or its directions
+ *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style, its directions or a picture
  */
 export function toWelded(
   method: MethodDescriptor,
@@ -27,7 +27,8 @@ export function toWelded(
     if (kind === 'handles' && value !== undefined) welded[name] = weldHandles(name, value as Handles, mesh);
     if (kind === 'scalars' && value !== undefined) welded[name] = weldScalars(name, value as Scalars, mesh);
     if (kind === 'style' && (typeof value === 'string' || Array.isArray(value)))
-      throw unresolvedStyle(name, value);
+      throw unresolved(name, value, 'a Gauss map', 'resolveStyle');
+    if (kind === 'relief' && typeof value === 'string') throw unresolved(name, value, 'a relief', 'reliefOf');
   }
   return welded;
 }
@@ -55,11 +56,11 @@ function weldScalars(
   return sums.map((sum, vertex) => sum / visits[vertex]!);
 }
 
-function unresolvedStyle(name: string, value: string | Directions): WhittleError {
+function unresolved(name: string, value: string | Directions, thing: string, maker: string): WhittleError {
   const what = typeof value === 'string' ? `the name “${value}”` : 'a list of directions';
   return new WhittleError(
     'bad-parameter',
-    `“${name}” is ${what}, but the engine takes the style itself; make a Gauss map of it with resolveStyle first.`,
+    `“${name}” is ${what}, but the engine takes ${thing} itself; make one with ${maker} first.`,
   );
 }
 

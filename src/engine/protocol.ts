@@ -44,6 +44,8 @@ export interface ReadResult {
   readonly mesh: Mesh;
   /** By the bytes, not by the name: 'obj', 'stl-binary', … */
   readonly format: string;
+  /** The normal map inside the file, as the bytes of a picture. */
+  readonly normalMap?: { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> };
   readonly warnings: readonly string[];
 }
 
@@ -104,6 +106,7 @@ function buffersOf(value: Calls[CallName]['answer']): ArrayBuffer[] {
   if (value instanceof Uint8Array) return [value.buffer];
   if (value === null || 'components' in value) return [];
   if ('positions' in value) return [value.positions.buffer];
-  const { positions, triangles, colors } = value.mesh;
-  return colors ? [positions.buffer, triangles.buffer, colors.buffer] : [positions.buffer, triangles.buffer];
+  const { positions, triangles, colors, uvs } = value.mesh;
+  const arrays = [positions, triangles, colors, uvs, value.normalMap?.bytes];
+  return arrays.flatMap((array) => (array ? [array.buffer] : []));
 }

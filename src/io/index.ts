@@ -4,16 +4,19 @@ import { plainBytes } from './bytes.ts';
 import { fitsFloat32, unfitPosition } from './fit.ts';
 import { type Format, formats } from './formats.ts';
 import { handlers } from './handlers.ts';
-import { type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
+import { type EmbeddedPicture, type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
 import { triangulate } from './polygon.ts';
 import { counted, refusal } from './refuse.ts';
 import { recognise } from './sniff.ts';
 
 export { type Format, fileNameEndings, formatForFileName, formats, isFormat } from './formats.ts';
+export type { EmbeddedPicture } from './parsed-file.ts';
 
 export interface ReadMesh {
   readonly mesh: Mesh;
   readonly format: Format;
+  /** The normal map that the file has inside, if all its parts share one. */
+  readonly normalMap?: EmbeddedPicture;
   /** Sentences about what was skipped or simplified. */
   readonly warnings: string[];
 }
@@ -30,11 +33,13 @@ const mostBytes = 2 ** 31 - 1;
  */
 export function readMesh(bytes: Uint8Array, name: string): ReadMesh {
   const { format, file } = parse(bytes, name);
-  const { positions, colors, hasUvs } = file;
-  const { triangles, roughFaces } = triangulate(positions, file.faces);
+  const { positions, colors, normalMap } = file;
+  const { triangles, corners, roughFaces } = triangulate(positions, file.faces);
+  const uvs = file.uvs && cornerUvs(file.uvs, corners);
   const warnings = [...file.warnings];
   if (roughFaces > 0) warnings.push(`Split ${counted(roughFaces, 'very large polygon')} roughly.`);
-  return { mesh: { positions, triangles, hasUvs, ...(colors ? { colors } : {}) }, format, warnings };
+  const mesh = { positions, triangles, ...(colors ? { colors } : {}), ...(uvs ? { uvs } : {}) };
+  return { mesh, format, warnings, ...(normalMap ? { normalMap } : {}) };
 }
 
 /**
@@ -94,6 +99,20 @@ function checkPositions(file: ParsedFile, format: Format, name: string, position
       throw unfitPosition(name, Math.floor(i / 3), value);
     }
   }
+}
+
+/** Texture coordinates of the triangles' corners: each is one of a polygon's. */
+function cornerUvs(
+  uvs: Float32Array<ArrayBuffer>,
+  corners: Uint32Array | undefined,
+): Float32Array<ArrayBuffer> {
+  if (!corners) return uvs;
+  const result = new Float32Array(2 * corners.length);
+  for (let c = 0; c < corners.length; c++) {
+    result[2 * c] = uvs[2 * corners[c]];
+    result[2 * c + 1] = uvs[2 * corners[c] + 1];
+  }
+  return result;
 }
 
 /** The shape for a new file. Corners of an STL are joined where they are in the same place. */

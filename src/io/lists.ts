@@ -11,6 +11,11 @@ export class FloatList {
     this.#data[this.length++] = value;
   }
 
+  push2(x: number, y: number): void {
+    this.push(x);
+    this.push(y);
+  }
+
   push3(x: number, y: number, z: number): void {
     if (this.length + 3 > this.#data.length) this.#grow(this.length + 3);
     const data = this.#data;
@@ -30,6 +35,11 @@ export class FloatList {
     larger.set(this.#data);
     this.#data = larger;
   }
+}
+
+/** Texture coordinates of corners, #C×2, from those of vertices. */
+export function uvsOfCorners(ofVertex: Float64Array, corners: Uint32Array): Float32Array<ArrayBuffer> {
+  return new Float32Array(2 * corners.length).map((_, i) => ofVertex[2 * corners[i >> 1] + (i & 1)]);
 }
 
 /** Unsigned 32-bit integers: indices, byte offsets. */

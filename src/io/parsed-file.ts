@@ -8,6 +8,13 @@ export interface Faces {
   readonly corners: Uint32Array<ArrayBuffer>;
 }
 
+/** A picture inside a mesh file. */
+export interface EmbeddedPicture {
+  readonly name: string;
+  /** Of a PNG or JPEG file. */
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
 export interface ParsedFile {
   /** #P×3, finite, in the file's order. */
   readonly positions: Float64Array<ArrayBuffer>;
@@ -15,7 +22,10 @@ export interface ParsedFile {
   readonly faces: Faces;
   /** #P×3 linear RGB in [0, 1]. */
   readonly colors?: Float32Array<ArrayBuffer>;
-  readonly hasUvs: boolean;
+  /** #C×2, v upward; NaN at corners without. Absent where the file has none. */
+  readonly uvs?: Float32Array<ArrayBuffer>;
+  /** The normal map of all parts, if the file has one inside. */
+  readonly normalMap?: EmbeddedPicture;
   /** Sentences about what was skipped. */
   readonly warnings: readonly string[];
 }

@@ -8,6 +8,8 @@ const testBudget = 3e7;
 export interface Triangulation {
   /** #T×3 indices into the positions, faces in order, each with the winding of its polygon. */
   readonly triangles: Uint32Array<ArrayBuffer>;
+  /** #T×3: which corner of the polygons each of them is; absent if the faces were triangles already. */
+  readonly corners?: Uint32Array<ArrayBuffer>;
   /** Concave polygons that were too large to be split without overlaps. */
   readonly roughFaces: number;
 }
@@ -21,7 +23,8 @@ export function triangulate(positions: Float64Array, faces: Faces): Triangulatio
   const count = faces.start.length - 1;
   if (faces.corners.length === 3 * count) return { triangles: faces.corners.slice(), roughFaces: 0 };
   for (let f = 0; f < count; f++) splitter.split(faces.start[f], faces.start[f + 1]);
-  return { triangles: splitter.triangles.take(), roughFaces: splitter.roughFaces };
+  const corners = splitter.triangles.take();
+  return { triangles: corners.map((c) => faces.corners[c]), corners, roughFaces: splitter.roughFaces };
 }
 
 /**
@@ -64,6 +67,7 @@ export function newellVector(
 }
 
 class PolygonSplitter {
+  /** Corners, three a triangle. */
   readonly triangles = new IndexList();
   roughFaces = 0;
   #budget = testBudget;
@@ -85,7 +89,7 @@ class PolygonSplitter {
   }
 
   #triangle(begin: number, a: number, b: number, c: number): void {
-    this.triangles.push3(this.#corners[begin + a], this.#corners[begin + b], this.#corners[begin + c]);
+    this.triangles.push3(begin + a, begin + b, begin + c);
   }
 
   #fan(begin: number, n: number): void {

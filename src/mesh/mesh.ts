@@ -9,8 +9,11 @@ export interface Mesh {
   readonly triangles: Uint32Array<ArrayBuffer>;
   /** #P×3 linear RGB in [0, 1], if the file colours its vertices. */
   readonly colors?: Float32Array<ArrayBuffer>;
-  /** True if the file carries texture coordinates. They are kept in the file; the solver does not need them. */
-  readonly hasUvs: boolean;
+  /**
+   * #F×3×2, texture coordinates of every face corner, if the file has them: u to the right, v upward, so that the top row of a
+   * picture is at v = 1 whatever the format says. NaN at corners that have none.
+   */
+  readonly uvs?: Float32Array<ArrayBuffer>;
 }
 
 /** What the core says of a mesh once it has looked at it. Counts are those of the welded mesh, faces as given. */

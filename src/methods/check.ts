@@ -68,9 +68,14 @@ function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterP
       if (typeof value === 'boolean') return undefined;
       return problem('bad-parameter', name, `“${name}” must be true or false, not ${show(value)}.`);
     case 'scalars':
-    case 'style': {
+    case 'style':
+    case 'relief': {
       const what =
-        descriptor.kind === 'style' ? styleProblem(descriptor, value) : scalarsProblem(descriptor, value);
+        descriptor.kind === 'scalars'
+          ? scalarsProblem(descriptor, value)
+          : descriptor.kind === 'style'
+            ? styleProblem(descriptor, value)
+            : reliefProblem(value);
       return what === undefined ? undefined : problem('bad-parameter', name, `“${name}” ${what}`);
     }
     case 'handles': {
@@ -115,6 +120,14 @@ function directionsProblem(value: readonly unknown[]): string | undefined {
   if (value.length > 0 && bad < 0) return undefined;
   const found = bad < 0 ? 'it is empty' : `entry ${bad} is ${show(value[bad])}`;
   return `must list directions [x, y, z] of finite numbers, not all of them zero; ${found}.`;
+}
+
+function reliefProblem(value: unknown): string | undefined {
+  if (typeof value === 'string' && value !== '') return undefined;
+  const { uvs, slopes } = (value ?? {}) as Partial<Record<string, unknown>>;
+  if (uvs instanceof Float32Array && slopes instanceof Float32Array && uvs.length === slopes.length)
+    return undefined;
+  return `must name a picture or a pattern, or be a relief, not ${show(value)}.`;
 }
 
 /** The rest of a sentence that begins with the parameter's name. */

@@ -1,4 +1,5 @@
 import type { GaussMap } from './gauss-map.ts';
+import type { Relief } from './relief.ts';
 
 /** What a change of a parameter makes the core recompute; each includes those before it. */
 export type Invalidates = 'targets' | 'weights' | 'system' | 'all';
@@ -13,6 +14,8 @@ interface Parameter {
   readonly invalidates: Invalidates;
   /** Shown behind "More" in the panel. */
   readonly advanced?: boolean;
+  /** Says how another parameter's value is made out; the core does not know it. */
+  readonly isForLibrary?: boolean;
 }
 
 export interface NumberParameter extends Parameter {
@@ -31,8 +34,6 @@ export interface ChoiceParameter extends Parameter {
   readonly kind: 'choice';
   readonly default: string;
   readonly choices: readonly string[];
-  /** Says how another parameter's value is made out; the core does not know it. */
-  readonly isForLibrary?: boolean;
 }
 
 /** Something that is done or not. */
@@ -61,6 +62,14 @@ export interface StyleParameter extends Parameter {
   readonly default: string;
 }
 
+/**
+ * A picture that lies on the mesh by its texture coordinates. In a recipe or on the command line an {@link ImageName}, which
+ * `src/textures` turns into the {@link Relief} that the engine takes.
+ */
+export interface ReliefParameter extends Parameter {
+  readonly kind: 'relief';
+}
+
 /** Vertices held at given places: a {@link Handles} value. Absent means none. */
 export interface HandlesParameter extends Parameter {
   readonly kind: 'handles';
@@ -72,6 +81,7 @@ export type ParameterDescriptor =
   | FlagParameter
   | ScalarsParameter
   | StyleParameter
+  | ReliefParameter
   | HandlesParameter;
 
 /** A method as page, recipe, command line and element see it. */
@@ -99,6 +109,9 @@ export type StyleName = string;
 /** Normals to snap to, of any length but zero. */
 export type Directions = readonly (readonly [x: number, y: number, z: number])[];
 
-export type ParameterValue = number | string | boolean | Scalars | GaussMap | Directions | Handles;
+/** A pattern of ours ('weave') or the path of a picture. */
+export type ImageName = string;
+
+export type ParameterValue = number | string | boolean | Scalars | GaussMap | Directions | Relief | Handles;
 /** Values by parameter name; what is absent has its default. */
 export type ParameterValues = Readonly<Record<string, ParameterValue>>;

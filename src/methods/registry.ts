@@ -2,11 +2,20 @@ import { analogy } from './analogy.ts';
 import type { MethodDescriptor } from './descriptor.ts';
 import { developable } from './developable.ts';
 import { arap, cubic } from './local-global.ts';
+import { normalmap } from './normalmap.ts';
 import { polycube } from './polycube.ts';
 import { spherical } from './spherical.ts';
 
 /** All methods, in the order in which the page offers them. A contract test holds it against the core's own list. */
-export const methods: readonly MethodDescriptor[] = [cubic, analogy, polycube, developable, arap, spherical];
+export const methods: readonly MethodDescriptor[] = [
+  cubic,
+  analogy,
+  polycube,
+  developable,
+  normalmap,
+  arap,
+  spherical,
+];
 
 export function findMethod(id: string): MethodDescriptor | undefined {
   return methods.find((method) => method.id === id);

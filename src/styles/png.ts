@@ -9,9 +9,29 @@ export function isPng(bytes: Uint8Array): boolean {
 
 /** @throws WhittleError `malformed-file` if the bytes are not a whole PNG */
 export function readPng(bytes: Uint8Array, name: string): CapturePixels {
-  let png: DecodedPng;
+  const png = decoded(bytes, name);
+  return {
+    width: png.width,
+    height: png.height,
+    data: rgba(png, new Uint8Array(4 * png.width * png.height), 255),
+  };
+}
+
+/**
+ * The same with all the precision that the file has, up to 16 bits: RGBA from 0 to `white`.
+ *
+ * @throws WhittleError as {@link readPng}
+ */
+export function readFinePng(bytes: Uint8Array, name: string) {
+  const png = decoded(bytes, name);
+  const { width, height } = png;
+  const [Numbers, white] = png.depth === 16 ? ([Uint16Array, 65535] as const) : ([Uint8Array, 255] as const);
+  return { width, height, white, data: rgba(png, new Numbers(4 * width * height), white) };
+}
+
+function decoded(bytes: Uint8Array, name: string): DecodedPng {
   try {
-    png = decode(bytes);
+    return decode(bytes);
   } catch (thrown) {
     const why = thrown instanceof Error ? thrown.message : String(thrown);
     throw new WhittleError(
@@ -19,23 +39,27 @@ export function readPng(bytes: Uint8Array, name: string): CapturePixels {
       `${name} could not be read as a PNG (${why}). Save it again from an image editor, as PNG.`,
     );
   }
-  return { width: png.width, height: png.height, data: rgba(png) };
 }
 
 export function writePng({ width, height, data }: CapturePixels): Uint8Array<ArrayBuffer> {
   return new Uint8Array(encode({ width, height, data, depth: 8, channels: 4 }));
 }
 
-/** Four bytes a pixel, whatever the file has: grey or colour, with or without alpha, a palette, 1 to 16 bits. */
-function rgba(png: DecodedPng): Uint8Array {
+/** Four numbers a pixel up to `white`, whatever the file has: grey or colour, with or without alpha, a palette, 1 to 16 bits. */
+function rgba<Numbers extends Uint8Array | Uint16Array>(
+  png: DecodedPng,
+  out: Numbers,
+  white: number,
+): Numbers {
   const { width, height } = png;
   const { data, channels } = png.palette
     ? { data: convertIndexedToRgb(png), channels: png.palette[0]!.length }
     : png;
   const full = png.palette ? 255 : 2 ** png.depth - 1;
   const bits = png.palette ? 8 : png.depth;
-  const value = (at: number): number => (255 * (bits < 8 ? bitsAt(data, at, bits, width) : data[at]!)) / full;
-  const out = new Uint8Array(4 * width * height).fill(255);
+  const value = (at: number): number =>
+    (white * (bits < 8 ? bitsAt(data, at, bits, width) : data[at]!)) / full;
+  out.fill(white);
   const isGrey = channels < 3;
   for (let pixel = 0; pixel < width * height; pixel++) {
     const at = pixel * channels;

@@ -14,7 +14,7 @@ export function meshOf(points: readonly Vec3[], triangles: readonly Triangle[]):
     Float64Array.from(points.flat()),
     Uint32Array.from(triangles.flat()),
   );
-  return { positions, triangles: welded, hasUvs: false };
+  return { positions, triangles: welded };
 }
 
 /** The corners of a face. */

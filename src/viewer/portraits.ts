@@ -44,7 +44,7 @@ export class Portraits {
 
   /** Draws into a canvas of the page, over what is there. */
   draw({ mesh, normals }: Subject, into: HTMLCanvasElement): void {
-    const surface = new Surface({ ...mesh, hasUvs: false } as Mesh);
+    const surface = new Surface(mesh as Mesh);
     if (normals) shadeBy(normals, surface.geometry);
     if (this.#material.flatShading === (normals !== undefined)) {
       this.#material.flatShading = normals === undefined;

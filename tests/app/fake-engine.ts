@@ -14,7 +14,6 @@ export function tetrahedron(): Mesh {
   return {
     positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
     triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3),
-    hasUvs: false,
   };
 }
 

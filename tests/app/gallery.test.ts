@@ -155,7 +155,6 @@ describe('bringing a style', () => {
     const concave = {
       positions: Float64Array.of(...positions, 0.1, 0.1, 0.1),
       triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 4, 2, 3, 4, 3, 1, 4),
-      hasUvs: false,
     };
     engine.read = async () => ({ mesh: concave, format: 'obj', warnings: [] });
     await styles.add(Uint8Array.of(1), 'dented.obj');

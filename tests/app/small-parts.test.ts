@@ -19,7 +19,13 @@ const document = {
 
 describe('what is offered', () => {
   it('leaves out methods with nothing to set here', () => {
-    expect(offeredMethods().map(({ id }) => id)).toEqual(['cubic', 'analogy', 'polycube', 'developable']);
+    expect(offeredMethods().map(({ id }) => id)).toEqual([
+      'cubic',
+      'analogy',
+      'polycube',
+      'developable',
+      'normalmap',
+    ]);
   });
 
   it('starts finer meshes with less', () => {

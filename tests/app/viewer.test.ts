@@ -13,7 +13,7 @@ function seamed(): Mesh {
   const corners = [0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 1, 1];
   const positions = new Float64Array(18);
   for (let v = 0; v < 6; v++) positions.set([1e6 + corners[2 * v]!, 1e6 + corners[2 * v + 1]!, 5], 3 * v);
-  return { positions, triangles: Uint32Array.of(0, 1, 2, 3, 5, 4), hasUvs: true };
+  return { positions, triangles: Uint32Array.of(0, 1, 2, 3, 5, 4) };
 }
 
 describe('a surface', () => {
@@ -116,5 +116,5 @@ function grid(side: number): Mesh {
     if (i % side < side - 1 && i < side * (side - 1))
       triangles.push(i, i + 1, i + side, i + 1, i + side + 1, i + side);
   }
-  return { positions, triangles: Uint32Array.from(triangles), hasUvs: false };
+  return { positions, triangles: Uint32Array.from(triangles) };
 }

@@ -70,7 +70,7 @@ test('in a thread: a run shows frames, is cancelled at once, and a crash is surv
       return workers.at(-1)!;
     },
   });
-  const mesh = { ...icosphere(5), hasUvs: false };
+  const mesh = icosphere(5);
   const parameters = { lambda: 2, tolerance: 0, maxIterations: 1_000_000 };
   const settings = { method: 'cubic', parameters, start: 'rest', frames: true } as const;
 

@@ -146,6 +146,5 @@ export function tetrahedron(positions = [0, 0, 0, 8, 0, 0, 0, 0, 0, 0, 8, 0, 0, 
   return {
     positions: new Float64Array(positions),
     triangles: new Uint32Array([0, 3, 1, 2, 1, 4, 1, 3, 4, 3, 0, 4]),
-    hasUvs: false,
   };
 }

@@ -52,6 +52,12 @@ int whittle_set_style(WhittleSession* session, const char* parameter, int32_t ki
                               Eigen::Map<const Triangles>(triangles, triangle_count, 3)}));
 }
 
+int whittle_set_relief(WhittleSession* session, const char* parameter, const float* uvs, const float* slopes, int32_t face_count) {
+  if (face_count == 0) return session->keep(session->session.setRelief(parameter, std::nullopt));
+  return session->keep(session->session.setRelief(parameter, Relief{Eigen::Map<const CornerPairs>(uvs, 3 * face_count, 2),
+                                                                    Eigen::Map<const CornerPairs>(slopes, 3 * face_count, 2)}));
+}
+
 int whittle_set_handles(WhittleSession* session, const int32_t* vertices, const double* targets, int32_t count) {
   return session->keep(session->session.setHandles(
       {std::vector<Index>(vertices, vertices + count), Eigen::Map<const Points>(targets, count, 3)}));

@@ -39,6 +39,9 @@ WHITTLE_API int whittle_set_scalars(WhittleSession* session, const char* paramet
 WHITTLE_API int whittle_set_style(WhittleSession* session, const char* parameter, int32_t kind, const double* normals,
                                   int32_t normal_count, const double* points, int32_t point_count, const int32_t* triangles,
                                   int32_t triangle_count);
+/// Sets a texture's relief: texture coordinates and slopes of the faces' corners, both 3·#F×2; face_count 0: none.
+WHITTLE_API int whittle_set_relief(WhittleSession* session, const char* parameter, const float* uvs, const float* slopes,
+                                   int32_t face_count);
 /// Holds `count` vertices at targets (#count×3, file units); count 0 frees all.
 WHITTLE_API int whittle_set_handles(WhittleSession* session, const int32_t* vertices, const double* targets, int32_t count);
 

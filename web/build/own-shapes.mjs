@@ -2,7 +2,7 @@
 
 const tau = 2 * Math.PI;
 
-/** A fluted, twisted vase without a lid: quads, one boundary loop at the rim, closed at the foot. OBJ. */
+/** A fluted, twisted vase without a lid: quads, one boundary loop at the rim, closed at the foot; texture coordinates. OBJ. */
 export function openVase({ around = 144, along = 96 } = {}) {
   const lines = ['# Twisted vase, made for Whittle. CC0 1.0', 'o vase'];
   for (let row = 0; row <= along; row++) {
@@ -16,16 +16,73 @@ export function openVase({ around = 144, along = 96 } = {}) {
     }
   }
   lines.push('v 0 -0.95 0');
-  const at = (row, column) => 1 + row * around + (column % around);
+  // Twice around, once up: about square. The seam and the foot have coordinates of their own.
+  for (let row = 0; row <= along; row++)
+    for (let column = 0; column <= around; column++)
+      lines.push(`vt ${fixed((2 * column) / around)} ${fixed(row / along)}`);
+  lines.push('vt 0.5 -0.1');
+  const at = (row, column) => `${1 + row * around + (column % around)}/${1 + row * (around + 1) + column}`;
   for (let row = 0; row < along; row++)
     for (let column = 0; column < around; column++)
       lines.push(
         `f ${at(row, column)} ${at(row + 1, column)} ${at(row + 1, column + 1)} ${at(row, column + 1)}`,
       );
-  const foot = (along + 1) * around + 1;
+  const foot = `${(along + 1) * around + 1}/${(along + 1) * (around + 1) + 1}`;
   for (let column = 0; column < around; column++)
     lines.push(`f ${foot} ${at(0, column)} ${at(0, column + 1)}`);
   return `${lines.join('\n')}\n`;
+}
+
+/**
+ * A smooth, round jar, fine enough to show a relief: open at the rim, the side unrolled three times around and twice up, the foot a
+ * disc of its own in the texture. Positions #V×3, uvs #V×2 (v upward), indices #F×3.
+ */
+export function roundJar({ around = 256, along = 168, inFoot = 14 } = {}) {
+  const positions = [];
+  const uvs = [];
+  const indices = [];
+  const grid = (rows, place, uv) => {
+    const first = positions.length / 3;
+    for (let row = 0; row <= rows; row++)
+      for (let column = 0; column <= around; column++) {
+        // The seam's two sides are one place to the bit.
+        const angle = tau * ((column % around) / around);
+        const [r, y] = place(row / rows);
+        positions.push(r * Math.sin(angle), y, r * Math.cos(angle));
+        uvs.push(...uv(row / rows, column / around, r, angle));
+      }
+    const at = (row, column) => first + row * (around + 1) + column;
+    for (let row = 0; row < rows; row++)
+      for (let column = 0; column < around; column++) {
+        const [a, b, c, d] = [
+          at(row, column),
+          at(row, column + 1),
+          at(row + 1, column + 1),
+          at(row + 1, column),
+        ];
+        const isAroundPole = place(row / rows)[0] === 0;
+        indices.push(...(isAroundPole ? [] : [a, b, c]), a, c, d);
+      }
+  };
+  const foot = jarProfile(0)[0];
+  grid(
+    inFoot,
+    (t) => [foot * t, jarProfile(0)[1]],
+    (_, __, r, angle) => [0.5 + 0.8 * r * Math.sin(angle), 0.5 + 0.8 * r * Math.cos(angle)],
+  );
+  grid(along, jarProfile, (t, turn) => [3 * turn, 2 * t]);
+  return {
+    positions: Float32Array.from(positions),
+    uvs: Float32Array.from(uvs),
+    indices: Uint32Array.from(indices),
+  };
+}
+
+/** Radius and height along the side of the jar, from the foot to the rim. */
+function jarProfile(t) {
+  const y = 1.7 * (t - 0.04 * Math.sin(tau * t)) - 0.85;
+  const belly = 0.36 + 0.4 * Math.sin(Math.PI * Math.min(1, 0.06 + 1.02 * t) ** 0.86) ** 0.9;
+  return [belly + 0.16 * t ** 9, y];
 }
 
 /** A trefoil knot of changing girth with a colour at every vertex. PLY. */

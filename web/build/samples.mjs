@@ -1,13 +1,13 @@
-// Makes public/samples: two CC0 meshes out of a dev dependency, decoded from Draco to plain glTF, and two of our own.
+// Makes public/samples: two CC0 meshes out of a dev dependency, decoded from Draco to plain glTF, and three of our own.
 // Run by Vite before it serves or builds, or by hand: node web/build/samples.mjs [--force]
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { normalsOf, subdivide } from './loop-subdivision.mjs';
-import { openVase, pebbleKnot } from './own-shapes.mjs';
+import { openVase, pebbleKnot, roundJar } from './own-shapes.mjs';
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), '../../public/samples');
-const version = '2';
+const version = '3';
 
 const borrowed = [
   { from: 'bunny', file: 'rabbit.glb', finer: true },
@@ -20,7 +20,7 @@ const attribution = `# Sample meshes
 |---|---|---|
 | rabbit.glb | pmndrs assets (npm @pmndrs/assets, models/bunny.glb), decoded from Draco, subdivided once | CC0 1.0 |
 | suzanne.glb | pmndrs assets (npm @pmndrs/assets, models/suzi.glb), decoded from Draco | CC0 1.0 |
-| vase.obj, knot.ply | Whittle's own generators (web/build/own-shapes.mjs) | CC0 1.0 |
+| vase.obj, knot.ply, jar.glb | Whittle's own generators (web/build/own-shapes.mjs) | CC0 1.0 |
 `;
 
 /** Writes the samples unless they are there in this version. */
@@ -32,6 +32,8 @@ export async function makeSamples({ force = false } = {}) {
     writeFileSync(join(folder, file), await decodedGlb(from, finer));
   writeFileSync(join(folder, 'vase.obj'), openVase());
   writeFileSync(join(folder, 'knot.ply'), pebbleKnot());
+  const jar = roundJar();
+  writeFileSync(join(folder, 'jar.glb'), plainGlb('jar', { ...jar, normals: normalsOf(jar) }));
   writeFileSync(join(folder, 'ATTRIBUTION.md'), attribution);
   writeFileSync(stamp, version);
 }
@@ -80,9 +82,10 @@ async function decodeDraco(bytes, attributes) {
   return { positions: floats(attributes.POSITION), normals: floats(attributes.NORMAL), indices };
 }
 
-/** A glTF binary with one mesh and nothing compressed. */
-function plainGlb(name, { positions, normals, indices }) {
-  const parts = [positions, normals, indices];
+/** A glTF binary with one mesh and nothing compressed. Texture coordinates (v upward) only where there are any. */
+function plainGlb(name, { positions, normals, indices, uvs }) {
+  const downward = uvs?.map((value, i) => (i % 2 === 0 ? value : 1 - value));
+  const parts = [positions, normals, indices, ...(downward ? [downward] : [])];
   const lengths = parts.map((part) => part.byteLength);
   const box = (pick) =>
     [0, 1, 2].map((axis) =>
@@ -93,7 +96,18 @@ function plainGlb(name, { positions, normals, indices }) {
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ name, mesh: 0 }],
-    meshes: [{ name, primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, material: 0 }] }],
+    meshes: [
+      {
+        name,
+        primitives: [
+          {
+            attributes: { POSITION: 0, NORMAL: 1, ...(uvs ? { TEXCOORD_0: 3 } : {}) },
+            indices: 2,
+            material: 0,
+          },
+        ],
+      },
+    ],
     materials: [{ name: 'clay', pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0.7 } }],
     accessors: [
       {
@@ -106,6 +120,7 @@ function plainGlb(name, { positions, normals, indices }) {
       },
       { bufferView: 1, componentType: 5126, count: normals.length / 3, type: 'VEC3' },
       { bufferView: 2, componentType: 5125, count: indices.length, type: 'SCALAR' },
+      ...(uvs ? [{ bufferView: 3, componentType: 5126, count: uvs.length / 2, type: 'VEC2' }] : []),
     ],
     bufferViews: lengths.map((byteLength, i) => ({
       buffer: 0,

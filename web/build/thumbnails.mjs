@@ -7,7 +7,7 @@ import { chromium } from 'playwright-core';
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), '../../public/thumbnails');
 const side = 104;
-const names = ['rabbit', 'suzanne', 'vase', 'knot'];
+const names = ['rabbit', 'suzanne', 'vase', 'jar', 'knot'];
 
 mkdirSync(folder, { recursive: true });
 const browser = await chromium.launch({

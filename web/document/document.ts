@@ -1,7 +1,8 @@
-import type { Outcome, Solved } from '../../src/engine/protocol.ts';
+import type { Outcome, ReadResult, Solved } from '../../src/engine/protocol.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
+import type { Picture } from './pictures.ts';
 
 /** The file as it came. */
 export interface Source {
@@ -9,6 +10,8 @@ export interface Source {
   readonly name: string;
   /** By the bytes: 'obj', 'glb', … */
   readonly format: string;
+  /** The normal map that it has inside, for the pictures. */
+  readonly normalMap?: ReadResult['normalMap'];
 }
 
 /** What a run left. */
@@ -39,12 +42,13 @@ export interface ChosenStyle {
 /** What is to be done to a mesh. */
 export interface Shaping {
   readonly method: string;
-  /** But for the style, which the methods that take one get from here by the parameter's name. */
+  /** But for what the methods borrow: styles and the picture, which they get from here. */
   readonly parameters: ParameterValues;
   /** Kept while another method is chosen. Null until one was chosen. */
   readonly style: ChosenStyle | null;
   /** The same for methods that only take a few directions. */
   readonly directions: ChosenStyle | null;
+  readonly picture: Picture | null;
 }
 
 /** The places for styles, named as the parameters are. */
@@ -82,7 +86,8 @@ export function sameParameters(a: ParameterValues, b: ParameterValues): boolean 
 
 export function sameShaping(a: Shaping, b: Shaping): boolean {
   const sameStyles = a.style?.map === b.style?.map && a.directions?.map === b.directions?.map;
-  return a.method === b.method && sameStyles && sameParameters(a.parameters, b.parameters);
+  const sameBorrowed = sameStyles && a.picture === b.picture;
+  return a.method === b.method && sameBorrowed && sameParameters(a.parameters, b.parameters);
 }
 
 /** The same document with other settings: what it shows is now only a preview of them. */

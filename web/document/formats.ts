@@ -33,12 +33,14 @@ export function exportName({ source, method }: WhittleDocument, format: Format):
 
 /** The command line that makes the same file without the page. */
 export function commandLine(document: WhittleDocument): string {
-  const { source, method, parameters } = document;
+  const { source, method, parameters, picture } = document;
   const descriptor = methods.find(({ id }) => id === method);
   const flags = (descriptor?.parameters ?? []).flatMap((parameter) => {
     const flag = `--${kebab(parameter.name)}`;
     const style = parameter.kind === 'style' ? styleOf(document) : null;
     if (style) return [flag, quoted(style.source)];
+    // A file's own normal map needs no mention.
+    if (parameter.kind === 'relief') return picture && !picture.file ? [flag, quoted(picture.source)] : [];
     const value = parameters[parameter.name];
     if (!('default' in parameter) || value === undefined || value === parameter.default) return [];
     return [flag, String(value)];

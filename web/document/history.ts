@@ -53,6 +53,7 @@ function bytesOf(entries: readonly Entry[]): number {
   for (const { before, after } of entries)
     for (const { source, mesh, result } of [before, after]) {
       buffers.add(source.bytes.buffer).add(mesh.positions.buffer).add(mesh.triangles.buffer);
+      if (mesh.uvs) buffers.add(mesh.uvs.buffer);
       if (result) buffers.add(result.positions.buffer);
     }
   let bytes = 0;

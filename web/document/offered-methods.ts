@@ -10,6 +10,7 @@ import type {
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
+import { laid, type Picture, startingRepeat } from './pictures.ts';
 import { startingLambda, startingStrength } from './starting-lambda.ts';
 import type { Shading } from './store.ts';
 
@@ -17,13 +18,17 @@ import type { Shading } from './store.ts';
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
 
 function isEditable(parameter: ParameterDescriptor): parameter is EditableParameter {
-  if (parameter.kind === 'choice') return !parameter.isForLibrary;
-  return ['number', 'integer', 'flag'].includes(parameter.kind);
+  return ['number', 'integer', 'flag', 'choice'].includes(parameter.kind);
 }
 
-/** Parameters that the panel can set. */
-export function editableParameters(method: MethodDescriptor): readonly EditableParameter[] {
-  return method.parameters.filter(isEditable);
+/** Parameters that the panel can set. How a style is read follows from the gallery; a picture of one's own can be read in several ways. */
+export function editableParameters(
+  method: MethodDescriptor,
+  picture?: Picture | null,
+): readonly EditableParameter[] {
+  const isReading = ({ kind, isForLibrary }: ParameterDescriptor) => kind === 'choice' && isForLibrary;
+  const hasReadings = takesPicture(method) && picture?.isOwn;
+  return method.parameters.filter(isEditable).filter((one) => hasReadings || !isReading(one));
 }
 
 /** Methods that a person can do something with here: at least one plain control, not only fine-tuning. */
@@ -57,21 +62,40 @@ export function usualShading(method: string | undefined): Shading {
   return method === 'polycube' || method === 'developable' ? 'flat' : 'smooth';
 }
 
+/** Methods that make shape of a picture. */
+export function takesPicture(method: MethodDescriptor | undefined): boolean {
+  return method?.parameters.some(({ kind }) => kind === 'relief') ?? false;
+}
+
+/** Why a method cannot be used on a mesh, as a sentence; undefined if it can. */
+export function obstacle(
+  method: MethodDescriptor,
+  { mesh }: Pick<WhittleDocument, 'mesh'>,
+): string | undefined {
+  if (!takesPicture(method) || mesh.uvs) return undefined;
+  return `${method.title} lays a picture on the mesh by its texture coordinates, and this mesh has none; unwrap it and export it with UVs.`;
+}
+
 /** What a method opens with on a mesh: its defaults, but for what depends on the mesh and the style. */
 export function startingParameters(
   method: MethodDescriptor,
-  { report, style }: Pick<WhittleDocument, 'report' | 'style'>,
+  { report, style, mesh, picture }: Pick<WhittleDocument, 'report' | 'style' | 'mesh' | 'picture'>,
 ): ParameterValues {
   const values: Record<string, number | string | boolean> = {};
-  for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
+  for (const parameter of editableParameters(method, picture)) values[parameter.name] = parameter.default;
+  if (takesPicture(method)) return picture ? { ...values, repeat: startingRepeat(picture, mesh) } : values;
   if (method.id === 'cubic') values.lambda = startingLambda(report.vertices);
   if (method.id === 'analogy' && style) values.lambda = startingStrength(style.map);
   return values;
 }
 
 /** What the engine gets. */
-export function solverParameters(shaping: Shaping): ParameterValues {
-  const parameter = styleParameter(findMethod(shaping.method));
-  const style = styleOf(shaping);
-  return parameter && style ? { ...shaping.parameters, [parameter.name]: style.map } : shaping.parameters;
+export function solverParameters(document: WhittleDocument): ParameterValues {
+  const { parameters, picture, mesh } = document;
+  const method = findMethod(document.method);
+  if (picture && takesPicture(method))
+    return { ...parameters, image: laid(picture, mesh, parameters).relief };
+  const parameter = styleParameter(method);
+  const style = styleOf(document);
+  return parameter && style ? { ...parameters, [parameter.name]: style.map } : parameters;
 }

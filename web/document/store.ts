@@ -2,6 +2,7 @@ import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { WhittleDocument } from './document.ts';
 import { emptyHistory, type History } from './history.ts';
 import type { Overlay } from './overlays.ts';
+import { builtInPictures, type Picture } from './pictures.ts';
 import { builtIn, type StyleEntry } from './style-gallery.ts';
 
 export type Activity =
@@ -71,6 +72,8 @@ export interface State {
   /** What {@link Look.overlay} measures of the document. */
   readonly overlay: Overlay | null;
   readonly gallery: Gallery;
+  /** What there is to lay on the mesh; never undone. */
+  readonly pictures: readonly Picture[];
 }
 
 export type Listener = (state: State) => void;
@@ -85,6 +88,7 @@ export class Store {
     look: { shading: 'smooth', theme: 'auto', comparing: false, overlay: 'none' },
     overlay: null,
     gallery: { entries: builtIn, pending: null, flow: null, offer: null, painting: false },
+    pictures: builtInPictures,
   };
   readonly #listeners = new Set<Listener>();
 

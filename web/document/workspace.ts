@@ -1,5 +1,6 @@
 import type { Frame, Solved, SolveSettings } from '../../src/engine/protocol.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
+import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { Display } from './display.ts';
 import {
@@ -12,10 +13,17 @@ import {
 } from './document.ts';
 import { amend, record, redo, undo } from './history.ts';
 import { offeredMethods, solverParameters, startingParameters } from './offered-methods.ts';
+import type { Picture } from './pictures.ts';
 import { isWorkerLost, type Runner, type Task } from './runner.ts';
 import type { Store } from './store.ts';
 
 const idle = Object.freeze({ kind: 'idle' as const });
+
+/** What a mesh opens with, where it is not the first method. */
+export interface Beginning {
+  readonly method?: MethodDescriptor;
+  readonly picture?: Picture;
+}
 
 /** What a person does to the document: open, shape, settle, cancel, undo, take home. */
 export class Workspace {
@@ -39,16 +47,16 @@ export class Workspace {
   }
 
   /** Opens a file and carves it. The mesh that was there stays until the new one is known to be good. */
-  async open(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<void> {
+  async open(bytes: Uint8Array<ArrayBuffer>, name: string, begin: Beginning = {}): Promise<void> {
     this.#runner.cancel();
     const task = this.#runner.begin();
     this.#gestureFrom = null;
     this.store.set({ activity: { kind: 'opening', name }, notice: null });
     try {
-      const document = await this.#runner.patiently(task, () => this.#understand(task, bytes, name));
+      const document = await this.#runner.patiently(task, () => this.#understand(task, bytes, name, begin));
       if (task.current()) this.#enter(document, `Open ${name}`);
     } catch (thrown) {
-      this.#fail(task, thrown, () => void this.open(bytes, name));
+      this.#fail(task, thrown, () => void this.open(bytes, name, begin));
       return;
     }
     await this.#carve(true);
@@ -156,23 +164,32 @@ export class Workspace {
     }
   }
 
-  async #understand(task: Task, bytes: Uint8Array<ArrayBuffer>, name: string): Promise<WhittleDocument> {
+  async #understand(
+    task: Task,
+    bytes: Uint8Array<ArrayBuffer>,
+    name: string,
+    begin: Beginning,
+  ): Promise<WhittleDocument> {
     const { engine } = this.#runner;
-    const { mesh, format, warnings } = await engine.read(bytes, name, { signal: task.signal });
+    const { mesh, format, warnings, normalMap } = await engine.read(bytes, name, { signal: task.signal });
     const report = await engine.inspect(mesh, { signal: task.signal });
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
-    const method = offeredMethods()[0]!;
+    const method = begin.method ?? offeredMethods()[0]!;
     const { style, directions } = this.document ?? { style: null, directions: null };
-    const parameters = startingParameters(method, { report, style });
+    // A normal map inside the file comes before what was chosen for another.
+    const last = normalMap || this.document?.picture?.file ? null : this.document?.picture;
+    const picture = begin.picture ?? last ?? null;
+    const parameters = startingParameters(method, { report, style, mesh, picture });
     return {
-      source: { bytes, name, format },
+      source: { bytes, name, format, ...(normalMap ? { normalMap } : {}) },
       mesh,
       report,
       method: method.id,
       parameters,
       style,
       directions,
+      picture,
       result: null,
     };
   }

@@ -1,4 +1,5 @@
 import { html, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { MethodDescriptor, StyleParameter } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { WhittleDocument } from '../document/document.ts';
@@ -6,8 +7,10 @@ import { exportName, formats, ownFormat } from '../document/formats.ts';
 import {
   type EditableParameter,
   editableParameters,
+  obstacle,
   offeredMethods,
   styleParameter,
+  takesPicture,
 } from '../document/offered-methods.ts';
 import { icon } from './icons.ts';
 import { measures } from './measures.ts';
@@ -18,6 +21,7 @@ import './gallery.ts';
 import './menu.ts';
 import './painter.ts';
 import './parameter-control.ts';
+import { remarkOn } from './pictures.ts';
 
 /** The style and its few controls, made from the method's descriptor; the way home for the result; what the mesh is like. */
 export class WhittlePanel extends PageElement {
@@ -29,7 +33,9 @@ export class WhittlePanel extends PageElement {
     return html`
       ${this.#heading(method)}
       ${style && document ? this.#styles(style) : nothing}
+      ${takesPicture(method) && document ? html`<whittle-pictures data-takes-pictures .page=${this.page}></whittle-pictures>` : nothing}
       <div class="controls" @parameter=${this.#change}>${document ? this.#controls(method, document) : nothing}</div>
+      ${takesPicture(method) && document ? remarkOn(document) : nothing}
       ${document ? this.#home(document) : nothing}
       ${document ? measures(this.page, this.state) : nothing}
       ${document ? meshReport(document) : nothing}
@@ -50,11 +56,18 @@ export class WhittlePanel extends PageElement {
     return html`
       <fieldset class="switch">
         <legend class="hidden">What to do</legend>
-        ${offered.map(
-          ({ id, title }) => html`
-            <label><input type="radio" name="method" .value=${id} .checked=${id === method.id} @change=${this.#choose} /><span class="switch-face">${title}</span></label>`,
-        )}
+        ${offered.map((one) => this.#face(one, one === method))}
       </fieldset>`;
+  }
+
+  /** A method that this mesh is not made for can be asked why. */
+  #face(method: MethodDescriptor, isChosen: boolean) {
+    const { document } = this.state;
+    const why = document ? obstacle(method, document) : undefined;
+    return html`
+      <label title=${why ?? nothing}>
+        <input type="radio" name="method" .value=${method.id} .checked=${live(isChosen)} ?data-obstacle=${why !== undefined} @change=${this.#choose} /><span class="switch-face">${method.title}</span>
+      </label>`;
   }
 
   #styles({ mapping }: StyleParameter) {
@@ -67,7 +80,7 @@ export class WhittlePanel extends PageElement {
   }
 
   #controls(method: MethodDescriptor, document: WhittleDocument) {
-    const editable = editableParameters(method);
+    const editable = editableParameters(method, document.picture);
     const plain = editable.filter(({ advanced }) => !advanced);
     const advanced = editable.filter((parameter) => parameter.advanced);
     const control = (parameter: EditableParameter) =>
@@ -106,8 +119,10 @@ export class WhittlePanel extends PageElement {
     `;
   }
 
-  readonly #choose = (event: Event): void =>
-    void this.page.styles.chooseMethod((event.target as HTMLInputElement).value);
+  readonly #choose = (event: Event): void => {
+    this.page.chooseMethod((event.target as HTMLInputElement).value);
+    this.requestUpdate(); // it may have stayed with what it was
+  };
 
   readonly #change = (event: CustomEvent<ParameterChange>): void => {
     const { document } = this.state;

@@ -11,10 +11,10 @@ export function meshReport({ report, mesh, source }: WhittleDocument): TemplateR
     ['Parts', report.components],
     ['Boundary edges', report.boundaryEdges],
     ['Non-manifold edges', report.nonManifoldEdges],
-    ['Texture coordinates', mesh.hasUvs ? 'yes' : 'no'],
+    ['Texture coordinates', mesh.uvs ? 'yes' : 'no'],
     ['Format', source.format],
   ];
-  const remarks = remarksOn(report, mesh.hasUvs);
+  const remarks = remarksOn(report, mesh.uvs !== undefined);
   return html`
     <details class="report">
       <summary><span>About this mesh</span><small>${count.format(report.faces)} faces</small></summary>

@@ -1,8 +1,8 @@
 import type { Page } from './page.ts';
 
 /**
- * Makes the whole window a place to drop files: for meshes to carve, and over the styles for styles. `body[data-dropping]` says
- * which, while files hover over it.
+ * Makes the whole window a place to drop files: for meshes to carve, over the styles for styles and over the pictures for pictures.
+ * `body[data-dropping]` says which, while files hover over it.
  */
 export function listenForDrops(page: Page, target: Window = window): void {
   const { body } = target.document;
@@ -15,13 +15,13 @@ export function listenForDrops(page: Page, target: Window = window): void {
     if (!hasFiles(event)) return;
     event.preventDefault();
     depth++;
-    body.dataset.dropping = isOverStyles(event) ? 'style' : 'mesh';
+    body.dataset.dropping = goods(event);
   });
   target.addEventListener('dragover', (event) => {
     if (!hasFiles(event)) return;
     event.preventDefault();
     event.dataTransfer!.dropEffect = 'copy';
-    body.dataset.dropping = isOverStyles(event) ? 'style' : 'mesh';
+    body.dataset.dropping = goods(event);
   });
   target.addEventListener('dragleave', (event) => {
     if (hasFiles(event) && --depth <= 0) end();
@@ -31,7 +31,12 @@ export function listenForDrops(page: Page, target: Window = window): void {
     event.preventDefault();
     end();
     const files = [...event.dataTransfer!.files];
-    void (isOverStyles(event) ? page.addStyles(files) : page.openFiles(files));
+    const take = {
+      style: () => page.addStyles(files),
+      picture: () => page.pictures.add(files),
+      mesh: () => page.openFiles(files),
+    };
+    void take[goods(event)]();
   });
 }
 
@@ -39,6 +44,9 @@ function hasFiles(event: DragEvent): boolean {
   return event.dataTransfer?.types.includes('Files') ?? false;
 }
 
-function isOverStyles({ target }: DragEvent): boolean {
-  return target instanceof Element && target.closest('[data-takes-styles]') !== null;
+/** What the place under the files takes them for. */
+function goods({ target }: DragEvent): 'mesh' | 'style' | 'picture' {
+  if (!(target instanceof Element)) return 'mesh';
+  if (target.closest('[data-takes-pictures]')) return 'picture';
+  return target.closest('[data-takes-styles]') ? 'style' : 'mesh';
 }

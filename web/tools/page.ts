@@ -1,13 +1,17 @@
 import { Quaternion } from 'three';
+import { findMethod } from '../../src/methods/registry.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
 import type { Display } from '../document/display.ts';
 import { commandLine, exportName, type Format, ownFormat } from '../document/formats.ts';
-import { fetchSample, type Sample } from '../document/samples.ts';
+import { obstacle, takesPicture } from '../document/offered-methods.ts';
+import { fetchSample, type Sample, samples } from '../document/samples.ts';
 import type { Look, Store } from '../document/store.ts';
-import type { Workspace } from '../document/workspace.ts';
+import type { Beginning, Workspace } from '../document/workspace.ts';
 import { chooseMesh } from './choose-mesh.ts';
 import type { ViewTurn } from './directions.ts';
 import type { Painter } from './painter.ts';
+import type { PictureDesk } from './picture-desk.ts';
+import { pictureEndings, pictureNames } from './read-picture.ts';
 import { copyText, saveFile } from './save.ts';
 import type { StyleDesk } from './style-desk.ts';
 
@@ -15,6 +19,7 @@ export interface PageParts {
   readonly store: Store;
   readonly workspace: Workspace;
   readonly styles: StyleDesk;
+  readonly pictures: PictureDesk;
   readonly painter: Painter;
   readonly display: Display;
   /** Null where the browser draws no 3D. */
@@ -26,25 +31,46 @@ export class Page {
   readonly store: Store;
   readonly workspace: Workspace;
   readonly styles: StyleDesk;
+  readonly pictures: PictureDesk;
   readonly painter: Painter;
   readonly #display: Display;
   readonly #viewer: Viewer | null;
 
-  constructor({ store, workspace, styles, painter, display, viewer }: PageParts) {
+  constructor({ store, workspace, styles, pictures, painter, display, viewer }: PageParts) {
     this.store = store;
     this.workspace = workspace;
     this.styles = styles;
+    this.pictures = pictures;
     this.painter = painter;
     this.#display = display;
     this.#viewer = viewer;
   }
 
-  async openSample(sample: Sample): Promise<void> {
-    await this.#attempt(async () => this.workspace.open(await fetchSample(sample), sample.file));
+  async openSample(sample: Sample, begin: Beginning = {}): Promise<void> {
+    await this.#attempt(async () => this.workspace.open(await fetchSample(sample), sample.file, begin));
   }
 
-  /** Opens the mesh among some files; says what it left out. A picture alone is a normal capture. */
+  /** Another method; where the mesh is not made for it, says why and what would be. */
+  chooseMethod(id: string): void {
+    const { document } = this.store.state;
+    const method = findMethod(id);
+    if (!document || !method) return;
+    const text = obstacle(method, document);
+    if (text !== undefined) {
+      const sample = samples.find(({ isForPictures }) => isForPictures)!;
+      const run = () => void this.openSample(sample, { method, picture: this.pictures.chosen });
+      this.store.set({
+        notice: { tone: 'note', text, action: { label: `Try the ${sample.title.toLowerCase()}`, run } },
+      });
+    } else if (takesPicture(method)) this.pictures.choose(this.pictures.chosen);
+    else void this.styles.chooseMethod(id);
+  }
+
+  /** Opens the mesh among some files; says what it left out. A picture alone goes on the mesh, or is a normal capture. */
   async openFiles(files: readonly File[]): Promise<void> {
+    const takesPictures = takesPicture(findMethod(this.store.state.document?.method ?? ''));
+    if (takesPictures && files.length > 0 && files.every(({ name }) => pictureNames.test(name)))
+      return this.pictures.add(files);
     if (files.length === 1 && /\.png$/i.test(files[0]!.name)) return this.addStyles(files);
     const { mesh, note } = chooseMesh(files);
     if (!mesh) {
@@ -69,6 +95,10 @@ export class Page {
 
   pickStyle(endings = `.png,${meshEndings}`): void {
     pickFiles(endings, (files) => void this.addStyles(files));
+  }
+
+  pickPicture(): void {
+    pickFiles(pictureEndings, (files) => void this.pictures.add(files));
   }
 
   saveCapture(): void {

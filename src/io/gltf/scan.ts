@@ -4,6 +4,7 @@ import { counted, refusal } from '../refuse.ts';
 import { Accessor } from './accessor.ts';
 import { GltfDocument, type Json } from './document.ts';
 import { apply3, applyTransposed3, invert3, linearPart, type Matrix, sameMatrix } from './matrix.ts';
+import { NormalMapSearch } from './normal-map.ts';
 import { type Placement, placements } from './scene.ts';
 
 /** One accessor of positions, normals or tangents, and which elements of the whole it holds. */
@@ -52,12 +53,15 @@ class GltfScan {
   readonly #normalParts = new Map<unknown, GltfNormals>();
   readonly #meshes = new Set<number>();
   readonly #warnings = new Set<string>();
-  #hasUvs = false;
+  readonly #normalMap: NormalMapSearch;
+  /** Of every corner, v upward; empty as long as no part has any. */
+  readonly #uvs = new FloatList();
   #skippedPrimitives = 0;
   #repeated = 0;
 
   constructor(document: GltfDocument) {
     this.#document = document;
+    this.#normalMap = new NormalMapSearch(document);
   }
 
   run(): GltfFile {
@@ -72,12 +76,14 @@ class GltfScan {
     }
     const positions = this.#positions.take();
     const colors = this.#colors.length > 0 ? { colors: this.#finishColors(positions.length) } : {};
+    const normalMap = this.#normalMap.found();
     return {
       document: this.#document,
       positions,
       faces: triangleFaces(corners),
       ...colors,
-      hasUvs: this.#hasUvs,
+      ...this.#finishUvs(corners.length),
+      ...(normalMap ? { normalMap } : {}),
       warnings: this.#finishWarnings(),
       parts: [...this.#parts.values()],
       normalParts: [...this.#normalParts.values()],
@@ -126,7 +132,10 @@ class GltfScan {
     const indices = this.#indices(json, vertices, place);
     const triangleCount = mode === 4 ? Math.floor(indices.length / 3) : Math.max(0, indices.length - 2);
     document.spend(triangleCount, place);
+    const uvs = this.#uvValues(attributes, vertices, place);
+    if (uvs) this.#normalMap.add(json.material);
     const corner = (i: number) => {
+      if (uvs) this.#addUv(uvs, indices[i]);
       this.#corners.push(part.first + indices[i]);
       this.#normalOfCorner.push(normals ? normals.first + indices[i] : none);
     };
@@ -157,7 +166,6 @@ class GltfScan {
     const part = { accessor, first: this.#positions.length / 3, toWorld };
     this.#parts.set(attributes.POSITION, part);
     this.#addPositions(part);
-    if (attributes.TEXCOORD_0 !== undefined) this.#hasUvs = true;
     if (attributes.COLOR_0 !== undefined) this.#addColors(attributes.COLOR_0, part, place);
     return part;
   }
@@ -176,6 +184,26 @@ class GltfScan {
       }
       this.#positions.push3(world[0], world[1], world[2]);
     }
+  }
+
+  /** Texture coordinates of the primitive's vertices, #V×2, v downward as glTF has it. */
+  #uvValues(attributes: Json, vertices: number, place: string): Float64Array | undefined {
+    if (attributes.TEXCOORD_0 === undefined) return undefined;
+    const accessor = new Accessor(this.#document, attributes.TEXCOORD_0, place);
+    if (accessor.components === 2 && accessor.count >= vertices) return accessor.read();
+    this.#warnings.add(`The texture coordinates of ${place} do not fit its positions; they are left out.`);
+    return undefined;
+  }
+
+  #addUv(values: Float64Array, vertex: number): void {
+    while (this.#uvs.length < 2 * this.#corners.length) this.#uvs.push(Number.NaN);
+    this.#uvs.push2(values[2 * vertex], 1 - values[2 * vertex + 1]);
+  }
+
+  #finishUvs(corners: number): { uvs?: Float32Array<ArrayBuffer> } {
+    if (this.#uvs.length === 0) return {};
+    while (this.#uvs.length < 2 * corners) this.#uvs.push(Number.NaN);
+    return { uvs: Float32Array.from(this.#uvs.take()) };
   }
 
   #addColors(index: unknown, part: GltfPart, place: string): void {

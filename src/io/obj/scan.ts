@@ -44,8 +44,9 @@ class ObjScan {
   readonly #normalOffsets = new IndexList();
   readonly #faces = new FaceCollector();
   readonly #normalOfCorner = new IndexList();
+  readonly #uvs = new FloatList();
+  readonly #uvOfCorner = new IndexList();
   readonly #extra = new Float64Array(5);
-  #uvs = 0;
 
   constructor(bytes: Uint8Array, name: string) {
     this.#scanner = new TextScanner(bytes, name);
@@ -65,7 +66,7 @@ class ObjScan {
       } else if (isBlank(bytes[scanner.at + 1])) {
         scanner.at++;
         if (second === letterN) this.#normal();
-        else if (second === letterT) this.#uvs++;
+        else if (second === letterT) this.#uv();
       }
     }
     return this.#finish();
@@ -97,15 +98,22 @@ class ObjScan {
   }
 
   #normal(): void {
+    this.#normalOffsets.push(this.#scanner.at);
+    for (let axis = 0; axis < 3; axis++) this.#normals.push(this.#lenientNumber());
+  }
+
+  #uv(): void {
+    const u = this.#lenientNumber();
+    this.#uvs.push2(u, this.#lenientNumber());
+  }
+
+  /** Of what is not needed to read the shape: a NaN in it, or its absence, is no reason to refuse the file. */
+  #lenientNumber(): number {
     const scanner = this.#scanner;
-    this.#normalOffsets.push(scanner.at);
-    for (let axis = 0; axis < 3; axis++) {
-      // Normals are only ever rewritten, so a NaN in one is no reason to refuse the file.
-      const isNumber = scanner.peekInLine() !== lf;
-      const value = isNumber ? scanner.decimal() : Number.NaN;
-      if (isNumber && Number.isNaN(value)) scanner.skipWord();
-      this.#normals.push(value);
-    }
+    if (scanner.peekInLine() === lf) return Number.NaN;
+    const value = scanner.decimal();
+    if (Number.isNaN(value)) scanner.skipWord();
+    return value;
   }
 
   #face(): void {
@@ -114,26 +122,26 @@ class ObjScan {
     const begin = scanner.at;
     while (scanner.peekInLine() !== lf) {
       this.#faces.corner(this.#reference(this.#positionOffsets.length));
-      let normal: number = none;
       if (bytes[scanner.at] === slash) {
         scanner.at++;
-        scanner.integer();
+        this.#attribute(this.#uvOfCorner, this.#uvs.length / 2);
         if (bytes[scanner.at] === slash) {
           scanner.at++;
-          const given = scanner.integer();
-          if (given > 0) normal = given - 1;
-          else if (given < 0 && this.#normalOffsets.length + given >= 0) {
-            normal = this.#normalOffsets.length + given;
-          }
+          this.#attribute(this.#normalOfCorner, this.#normalOffsets.length);
         }
-      }
-      if (normal !== none) {
-        this.#normalOfCorner.padTo(this.#faces.cornerCount - 1, none);
-        this.#normalOfCorner.push(normal);
       }
       if (!isTokenEnd(bytes, scanner.at)) throw this.#badReference();
     }
     this.#endFace(begin);
+  }
+
+  /** Notes which texture coordinate or normal the latest corner names, if it names one; `count` of them stand before it. */
+  #attribute(ofCorner: IndexList, count: number): void {
+    const given = this.#scanner.integer();
+    const index = given > 0 ? given - 1 : count + given;
+    if (!(given !== 0 && index >= 0)) return; // also if it is no number
+    ofCorner.padTo(this.#faces.cornerCount - 1, none);
+    ofCorner.push(index);
   }
 
   #endFace(begin: number): void {
@@ -143,9 +151,8 @@ class ObjScan {
       const sentence = 'the file ends in the middle of a face; it was cut off. Export it again.';
       throw refusal('truncated-file', scanner.name, scanner.placeAt(begin), sentence);
     }
-    if (this.#normalOfCorner.length > this.#faces.cornerCount) {
-      this.#normalOfCorner.length = this.#faces.cornerCount;
-    }
+    for (const ofCorner of [this.#normalOfCorner, this.#uvOfCorner])
+      ofCorner.length = Math.min(ofCorner.length, this.#faces.cornerCount);
   }
 
   /** Index from 0 of the vertex that a face names; what lies beyond the last one so far may still come. */
@@ -193,13 +200,26 @@ class ObjScan {
       positions,
       faces,
       ...this.#finishColors(positions.length),
-      hasUvs: this.#uvs > 0,
+      ...this.#finishUvs(faces.corners.length),
       warnings: this.#faces.warnings(describe),
       positionOffsets: this.#positionOffsets.take(),
       normals: this.#normals.take(),
       normalOffsets: this.#normalOffsets.take(),
       normalOfCorner,
     };
+  }
+
+  #finishUvs(corners: number): { uvs?: Float32Array<ArrayBuffer> } {
+    const ofCorner = this.#uvOfCorner;
+    if (ofCorner.length === 0) return {};
+    ofCorner.padTo(corners, none);
+    const values = this.#uvs.take();
+    const indices = ofCorner.take();
+    const uvs = new Float32Array(2 * corners).fill(Number.NaN);
+    for (let c = 0; c < corners; c++) {
+      if (2 * indices[c] < values.length) uvs.set(values.subarray(2 * indices[c], 2 * indices[c] + 2), 2 * c);
+    }
+    return { uvs };
   }
 
   #finishColors(length: number): { colors?: Float32Array<ArrayBuffer> } {

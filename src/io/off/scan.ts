@@ -1,6 +1,6 @@
 import { linearColors } from '../color.ts';
 import { FaceCollector } from '../faces.ts';
-import { FloatList, IndexList } from '../lists.ts';
+import { FloatList, IndexList, uvsOfCorners } from '../lists.ts';
 import type { ParsedFile } from '../parsed-file.ts';
 import { counted, quote, refusal } from '../refuse.ts';
 import { TextScanner } from '../text-scanner.ts';
@@ -33,6 +33,7 @@ class OffScan {
   readonly #offsets = new IndexList();
   readonly #normals = new FloatList();
   readonly #colors = new FloatList();
+  readonly #uvs = new FloatList();
   readonly #faces = new FaceCollector();
   #hasUvs = false;
   #hasColors = false;
@@ -53,11 +54,12 @@ class OffScan {
     for (let f = 0; f < faces; f++) this.#face(f);
     const positions = this.#positions.take();
     const describe = (offset: number) => scanner.placeAt(offset);
+    const meshFaces = this.#faces.finish(scanner.name, vertices, describe, 0);
     return {
       positions,
-      faces: this.#faces.finish(scanner.name, vertices, describe, 0),
+      faces: meshFaces,
       ...(this.#hasColors ? { colors: linearColors(this.#colors.take()) } : {}),
-      hasUvs: this.#hasUvs,
+      ...(this.#hasUvs ? { uvs: uvsOfCorners(this.#uvs.take(), meshFaces.corners) } : {}),
       warnings: this.#faces.warnings(describe),
       positionOffsets: this.#offsets.take(),
       normals: this.#normals.take(),
@@ -135,7 +137,20 @@ class OffScan {
       for (let i = 0; i < 3; i++)
         this.#colors.push(scanner.peekInLine() === lf ? Number.NaN : scanner.decimal());
     }
+    if (this.#hasUvs) this.#lastTwo();
     scanner.nextLine();
+  }
+
+  /** Texture coordinates end the line; how many numbers a colour takes before them is not fixed. */
+  #lastTwo(): void {
+    const scanner = this.#scanner;
+    let [u, v] = [Number.NaN, Number.NaN];
+    while (scanner.peekInLine() !== lf) {
+      u = v;
+      v = scanner.decimal();
+      if (Number.isNaN(v)) break;
+    }
+    this.#uvs.push2(u, v);
   }
 
   #face(f: number): void {

@@ -1,6 +1,6 @@
 import { linearFromSrgb } from '../color.ts';
 import { FaceCollector } from '../faces.ts';
-import { FloatList, IndexList } from '../lists.ts';
+import { FloatList, IndexList, uvsOfCorners } from '../lists.ts';
 import type { ParsedFile } from '../parsed-file.ts';
 import { counted, refusal } from '../refuse.ts';
 import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './header.ts';
@@ -19,9 +19,13 @@ export interface PlyFile extends ParsedFile {
 export const plyPosition: readonly string[] = ['x', 'y', 'z'];
 export const plyNormal: readonly string[] = ['nx', 'ny', 'nz'];
 const colorNames = ['red', 'green', 'blue'];
-const uvNames = new Set(['s', 't', 'u', 'v', 'texture_u', 'texture_v', 'texcoord']);
-/** Slots of a vertex that we keep: position, normal, colour. */
-const slotNames = [...plyPosition, ...plyNormal, ...colorNames];
+/** Texture coordinates of vertices go by many names. */
+const uvNames: Readonly<Record<string, 'u' | 'v'>> = {
+  ...{ u: 'u', s: 'u', texture_u: 'u', texture_s: 'u' },
+  ...{ v: 'v', t: 'v', texture_v: 'v', texture_t: 'v' },
+};
+/** Slots of a vertex that we keep: position, normal, colour, texture coordinates. */
+const slotNames = [...plyPosition, ...plyNormal, ...colorNames, 'u', 'v'];
 
 /**
  * Reads PLY: text and both byte orders, any types, any elements and properties beside the ones we know.
@@ -40,6 +44,9 @@ class PlyScan {
   readonly #positions = new FloatList();
   readonly #normals = new FloatList();
   readonly #colors = new FloatList();
+  readonly #vertexUvs = new FloatList();
+  /** Of the corners so far, where a face lists them. */
+  readonly #cornerUvs = new FloatList();
   readonly #rowOffsets = new IndexList();
   readonly #slots = new Float64Array(slotNames.length);
 
@@ -76,20 +83,28 @@ class PlyScan {
 
   #finish(vertex: PlyElement): PlyFile {
     const colors = this.#colors.take();
-    const isUv = (property: PlyProperty) => uvNames.has(property.name);
-    const face = this.#header.elements.find((element) => element.name === 'face');
     const describe = (f: number) => `face ${f}`;
+    const faces = this.#faces.finish(this.#name, vertex.count, describe, 0);
     return {
       header: this.#header,
       vertex,
       positions: this.#positions.take(),
-      faces: this.#faces.finish(this.#name, vertex.count, describe, 0),
+      faces,
       ...(colors.length > 0 ? { colors: Float32Array.from(colors, linearFromSrgb) } : {}),
-      hasUvs: vertex.properties.some(isUv) || (face?.properties.some(isUv) ?? false),
+      ...this.#finishUvs(faces.corners),
       warnings: this.#faces.warnings(describe),
       rowOffsets: this.#rowOffsets.take(),
       normals: this.#normals.take(),
     };
+  }
+
+  #finishUvs(corners: Uint32Array): { uvs?: Float32Array<ArrayBuffer> } {
+    if (this.#cornerUvs.length > 0) {
+      while (this.#cornerUvs.length < 2 * corners.length) this.#cornerUvs.push(Number.NaN);
+      return { uvs: Float32Array.from(this.#cornerUvs.take()) };
+    }
+    if (this.#vertexUvs.length === 0) return {};
+    return { uvs: uvsOfCorners(this.#vertexUvs.take(), corners) };
   }
 
   /** The header's word is bounded by the length of the file before anything is stored. */
@@ -111,6 +126,7 @@ class PlyScan {
     const slotOf = properties.map((p) => (p.countKind ? -1 : slotNames.indexOf(plainName(p.name))));
     const hasNormals = plyNormal.every((name) => slotOf.includes(slotNames.indexOf(name)));
     const hasColors = colorNames.every((name) => slotOf.includes(slotNames.indexOf(name)));
+    const hasUvs = ['u', 'v'].every((name) => slotOf.includes(slotNames.indexOf(name)));
     const colorScale = 1 / largestColor(properties);
     for (let v = 0; v < count; v++) {
       this.#rowOffsets.push(source.at);
@@ -125,6 +141,7 @@ class PlyScan {
       this.#positions.push3(slots[0], slots[1], slots[2]);
       if (hasNormals) this.#normals.push3(slots[3], slots[4], slots[5]);
       if (hasColors) this.#colors.push3(colorScale * slots[6], colorScale * slots[7], colorScale * slots[8]);
+      if (hasUvs) this.#vertexUvs.push2(slots[9], slots[10]);
     }
   }
 
@@ -132,17 +149,36 @@ class PlyScan {
     const { count, properties } = element;
     if (!properties.some(isIndexList))
       throw this.#malformed('header', 'faces have no list of vertex indices');
+    const uvs: number[] = [];
     for (let f = 0; f < count; f++) {
+      const firstCorner = this.#faces.cornerCount;
+      uvs.length = 0;
       for (const property of properties) {
-        if (!isIndexList(property)) {
-          this.#skipValue(property);
-          continue;
-        }
-        const length = this.#listLength(property);
-        for (let c = 0; c < length; c++) this.#faces.corner(this.#vertexIndex(property, f));
-        this.#faces.end(f);
+        if (isIndexList(property)) this.#readCorners(property, f);
+        else if (isUvList(property)) this.#readUvs(property, uvs);
+        else this.#skipValue(property);
       }
+      if (uvs.length > 0) this.#addUvs(uvs, firstCorner);
     }
+  }
+
+  #readCorners(property: PlyProperty, f: number): void {
+    const length = this.#listLength(property);
+    for (let c = 0; c < length; c++) this.#faces.corner(this.#vertexIndex(property, f));
+    this.#faces.end(f);
+  }
+
+  #readUvs(property: PlyProperty, into: number[]): void {
+    const length = this.#listLength(property);
+    for (let i = 0; i < length; i++) into.push(this.#source.next(property.kind, 'the end of a face'));
+  }
+
+  /** A list of another length than two for each corner of the face says nothing. */
+  #addUvs(uvs: readonly number[], firstCorner: number): void {
+    const corners = this.#faces.cornerCount - firstCorner;
+    if (uvs.length !== 2 * corners) return;
+    while (this.#cornerUvs.length < 2 * firstCorner) this.#cornerUvs.push(Number.NaN);
+    for (const value of uvs) this.#cornerUvs.push(value);
   }
 
   /** Strips of triangles, −1 between them; every second triangle is turned round. */
@@ -218,7 +254,13 @@ function isIndexList({ name, countKind }: PlyProperty): boolean {
   return countKind !== undefined && (name === 'vertex_indices' || name === 'vertex_index');
 }
 
+/** Of a face: u and v of each corner. */
+function isUvList({ name, countKind }: PlyProperty): boolean {
+  return countKind !== undefined && name === 'texcoord';
+}
+
 function plainName(name: string): string {
+  if (Object.hasOwn(uvNames, name)) return uvNames[name];
   return name.startsWith('diffuse_') ? name.slice('diffuse_'.length) : name;
 }
 

@@ -53,7 +53,6 @@ class StlTextScan {
     return {
       positions,
       faces,
-      hasUvs: false,
       warnings,
       facetNormals: this.#normals.take(),
       normalOffsets: this.#normalOffsets.take(),

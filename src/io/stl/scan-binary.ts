@@ -36,7 +36,7 @@ export function scanStlBinary(bytes: Uint8Array, name: string): StlBinaryFile {
   for (let c = 0; c < corners.length; c++) corners[c] = c;
   const extra = bytes.length - stlHeader - stlFacet * count;
   const warnings = extra > 0 ? [`Ignored ${counted(extra, 'byte')} behind the last facet.`] : [];
-  return { positions, faces: triangleFaces(corners), hasUvs: false, warnings, facetNormals };
+  return { positions, faces: triangleFaces(corners), warnings, facetNormals };
 }
 
 /** The header's count, once it is known that the file holds as much. */

@@ -9,6 +9,7 @@
 #include "base/status.h"
 #include "constraints/handles.h"
 #include "geometry/gauss_map.h"
+#include "geometry/relief.h"
 
 namespace whittle {
 
@@ -22,6 +23,7 @@ enum class ParameterKind {
   flag,     // 0 or 1
   scalars,  // a number for each vertex, or none
   style,    // a Gauss map
+  relief,   // a texture's slopes
   handles,
 };
 
@@ -50,12 +52,13 @@ inline ParameterInfo flagParameter(const char* name, Stale invalidates) {
   return {name, ParameterKind::flag, invalidates, 0, 0, 1};
 }
 
-/// Values for a method's parameters, in the order of its ParameterInfo list; handles beside them, in the unit frame, and the style.
+/// Values for a method's parameters, in the order of its ParameterInfo list; handles beside them, in the unit frame, the style and the relief.
 struct Settings {
   std::vector<double> numbers;
   std::vector<Scalars> scalars;  // #V, or empty where there are none
   Handles handles;
   std::shared_ptr<const GaussMap> style;  // nullptr: none
+  std::shared_ptr<const Relief> relief;   // nullptr: none
 
   static Settings defaults(const std::vector<ParameterInfo>& infos) {
     Settings settings;

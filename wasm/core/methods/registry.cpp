@@ -6,6 +6,7 @@
 #include "methods/local_global/cubic.h"
 #include "methods/local_global/developable.h"
 #include "methods/local_global/normal_driven.h"
+#include "methods/local_global/normal_map.h"
 #include "methods/polycube/polycube.h"
 #include "methods/spherical/conformal_flow.h"
 
@@ -13,7 +14,7 @@ namespace whittle {
 
 namespace {
 
-constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag", "scalars", "style", "handles"};
+constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag", "scalars", "style", "relief", "handles"};
 constexpr const char* kStaleNames[] = {"nothing", "targets", "weights", "system", "all"};
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
@@ -33,7 +34,7 @@ std::string describe(const ParameterInfo& info) {
     json += "]";
   } else if (info.kind == ParameterKind::flag) {
     json += info.defaultValue != 0 ? ",\"default\":true" : ",\"default\":false";
-  } else if (info.kind != ParameterKind::handles && info.kind != ParameterKind::style) {
+  } else if (info.isNumber() || info.kind == ParameterKind::scalars) {
     if (info.isNumber()) json += ",\"default\":" + number(info.defaultValue);
     json += ",\"min\":" + number(info.min) + ",\"max\":" + number(info.max);
   }
@@ -43,7 +44,8 @@ std::string describe(const ParameterInfo& info) {
 }  // namespace
 
 const std::vector<MethodInfo>& methodRegistry() {
-  static const std::vector<MethodInfo> methods = {cubicMethod(), analogyMethod(), polycubeMethod(), developableMethod(), arapMethod(), sphericalMethod()};
+  static const std::vector<MethodInfo> methods = {cubicMethod(),     analogyMethod(), polycubeMethod(), developableMethod(),
+                                                  normalmapMethod(), arapMethod(),    sphericalMethod()};
   return methods;
 }
 

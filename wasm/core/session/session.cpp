@@ -85,6 +85,20 @@ Status Session::setStyle(const std::string& parameter, const std::optional<Gauss
   return {};
 }
 
+Status Session::setRelief(const std::string& parameter, std::optional<Relief> relief) {
+  std::size_t p;
+  const auto fits = [](const auto& info) { return info.kind == ParameterKind::relief; };
+  if (Status status = find(parameter, fits, p); !status.ok()) return status;
+  const bool isSame = settings_.relief ? relief && *settings_.relief == *relief : !relief;
+  if (isSame) return {};
+  if (relief) {
+    if (Status status = validateRelief(*relief, rest_.faceCount()); !status.ok()) return status;
+  }
+  settings_.relief = relief ? std::make_shared<const Relief>(std::move(*relief)) : nullptr;
+  markStale(info_->parameters[p].invalidates);
+  return {};
+}
+
 Status Session::setHandles(Handles handles) {
   if (Status status = requireMethod(); !status.ok()) return status;
   Status status = validateHandles(handles, rest_.vertexCount());

@@ -26,6 +26,8 @@ class Session {
   Status setScalars(const std::string& parameter, const Scalars& values);
   /// A Gauss map, or none. Fails with `badParameter`.
   Status setStyle(const std::string& parameter, const std::optional<GaussMapData>& data);
+  /// A texture's slopes, or none. Fails with `badParameter` or `unsuitableMesh`.
+  Status setRelief(const std::string& parameter, std::optional<Relief> relief);
   /// Targets in the file's units. Fails with `badHandles`.
   Status setHandles(Handles handles);
 

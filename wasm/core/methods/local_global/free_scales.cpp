@@ -1,6 +1,7 @@
 #include "methods/local_global/free_scales.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace whittle {
 
@@ -8,6 +9,8 @@ namespace {
 
 /// No element shrinks to a point or turns over: of scales from here on the best is taken.
 constexpr double kSmallestScale = 1e-3;
+/// A growth below this is rounding and left out, so that what is at rest stays there to the bit.
+constexpr double kGrowthOfRounding = 1e-13;
 
 }  // namespace
 
@@ -25,7 +28,7 @@ double FreeScales::fit(std::size_t batch, DoubleLanes traces) {
     const double weight = weights_[batch][lane], trace = traces[lane];
     // What has no extent has no scale.
     const double growth = weight > 0 ? std::max(trace / (2 * weight) - 1, kSmallestScale - 1) : 0;
-    growths_[batch][lane] = static_cast<float>(growth);
+    growths_[batch][lane] = std::abs(growth) < kGrowthOfRounding ? 0.0f : static_cast<float>(growth);
     const double rounded = growths_[batch][lane];
     change += rounded * ((2 + rounded) * weight - trace);
   }

@@ -1,0 +1,167 @@
+import { createRequire } from 'node:module';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import { bakedGlb, normalMap, plate, pngOf } from '../fixtures/textured.ts';
+import { carved, errorsOf, launch, openPage, picture } from './support/browser.ts';
+import { type PageServer, servePage } from './support/page-server.ts';
+
+const axe = createRequire(import.meta.url).resolve('axe-core');
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+let server: PageServer;
+let browser: Browser;
+let page: Page;
+
+beforeAll(async () => {
+  server = await servePage();
+  browser = await launch();
+});
+afterAll(async () => {
+  await browser?.close();
+  await server?.close();
+});
+afterEach(async () => {
+  expect(errorsOf(page)).toEqual([]);
+  await page.context().close();
+});
+
+const relief = () => page.locator('.switch label', { hasText: 'Relief' });
+const tile = (name: string) => page.locator('.pictures label', { hasText: name });
+const undoLabel = () => page.locator('[data-act=undo]').getAttribute('aria-label');
+
+/** From the first sample, which has no texture coordinates, to a jar that carries a weave. */
+async function openRelief(options = {}): Promise<void> {
+  page = await openPage(browser, server.url, options);
+  await relief().click();
+  await page.getByRole('button', { name: 'Try the jar' }).click();
+  await page.waitForSelector('.pictures');
+  await carved(page);
+}
+
+async function drop(target: string, name: string, bytes: Uint8Array): Promise<void> {
+  const transfer = await page.evaluateHandle(
+    ([values, file]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(values)], file));
+      return data;
+    },
+    [[...bytes], name] as const,
+  );
+  await page.dispatchEvent(target, 'drop', { dataTransfer: transfer });
+}
+
+async function chosen(name: string): Promise<void> {
+  await page.waitForFunction(
+    (wanted) =>
+      document.querySelector('.pictures input:checked')?.closest('label')?.textContent?.trim() === wanted,
+    name,
+  );
+  await carved(page);
+}
+
+it('says why a mesh has no relief and offers one that can; then a click is a relief, one entry each', async () => {
+  page = await openPage(browser, server.url);
+  await relief().click();
+  const notice = page.locator('[role=status] .notice');
+  expect(await notice.innerText()).toContain('this mesh has none');
+  expect(await page.locator('.switch input').first().isChecked()).toBe(true);
+  await page.getByRole('button', { name: 'Try the jar' }).click();
+  await chosen('Weave');
+  const woven = await picture(page);
+  await tile('Scales').click();
+  await chosen('Scales');
+  expect(await picture(page)).not.toBe(woven);
+  expect(await undoLabel()).toBe('Undo Scales');
+  await page.keyboard.press('Control+z');
+  await chosen('Weave');
+  expect(await picture(page)).toBe(woven);
+});
+
+it('follows the strength, and without any the jar is as it came', async () => {
+  await openRelief();
+  const woven = await picture(page);
+  await page.locator('#parameter-strength').focus();
+  await page.keyboard.press('Home');
+  await carved(page);
+  const flat = await picture(page);
+  expect(flat).not.toBe(woven);
+  await page.keyboard.down('b');
+  expect(await picture(page)).toBe(flat);
+  await page.keyboard.up('b');
+  await page.keyboard.press('Control+z');
+  expect(await picture(page)).toBe(woven);
+});
+
+it('says when the picture is too fine for the mesh', async () => {
+  await openRelief();
+  expect(await page.locator('.remark').isVisible()).toBe(false);
+  await page.locator('#parameter-repeat').focus();
+  await page.keyboard.press('End');
+  await page.waitForSelector('.remark:visible');
+  expect(await page.locator('.remark').innerText()).toMatch(/finer than this mesh can show/);
+});
+
+it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is no picture', async () => {
+  await openRelief();
+  await drop(
+    '#canvas',
+    'waves.png',
+    pngOf(normalMap(64, (u, v) => 0.03 * Math.sin(12 * u) * Math.sin(12 * v))),
+  );
+  await chosen('waves');
+  // Only what is one's own can be read in several ways.
+  await page.locator('.more summary').click();
+  const before = await picture(page);
+  await page.getByLabel('Green points').selectOption('down');
+  await carved(page);
+  expect(await picture(page)).not.toBe(before);
+  const jpeg = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(64, 64);
+    const pen = canvas.getContext('2d')!;
+    pen.fillRect(0, 0, 64, 64);
+    pen.fillStyle = 'white';
+    pen.fillRect(16, 16, 32, 32);
+    const blob = await canvas.convertToBlob({ type: 'image/jpeg' });
+    return [...new Uint8Array(await blob.arrayBuffer())];
+  });
+  await drop('.pictures', 'stamp.jpg', Uint8Array.from(jpeg));
+  await chosen('stamp');
+  await drop('.pictures', 'fake.webp', Uint8Array.of(1, 2, 3));
+  const alert = page.locator('[role=alert] .notice');
+  await alert.waitFor();
+  expect(await alert.innerText()).toContain('fake.webp could not be read as a picture');
+  await tile('Weave').click();
+  await chosen('Weave');
+  expect(await page.getByLabel('Green points').count()).toBe(0);
+});
+
+it('unbakes the normal map inside a file at the first click', async () => {
+  await openRelief();
+  const map = pngOf(normalMap(64, (u, v) => 0.02 * Math.sin(12 * u) * Math.sin(12 * v)));
+  await drop('#canvas', 'plate.glb', bakedGlb(plate(60), map));
+  await page.waitForFunction(() => !document.querySelector('.pictures'));
+  await carved(page);
+  await relief().click();
+  await chosen('baked');
+  expect(await page.locator('.pictures label').count()).toBe(4);
+  expect(await page.locator('#parameter-repeat').getAttribute('aria-valuetext')).toBe('1');
+});
+
+it.each([
+  ['in dark', { colorScheme: 'dark' }],
+  ['on a phone', phone],
+] as const)('passes axe %s', async (_, options) => {
+  await openRelief(options);
+  await page.addScriptTag({ path: axe });
+  const violations = await page.evaluate(async () => {
+    const { axe } = globalThis as unknown as {
+      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+    };
+    return (await axe.run()).violations.map(
+      ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' | ')}`,
+    );
+  });
+  expect(violations).toEqual([]);
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+});
