@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
+import { edgesOf } from '../mesh/edges.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import { weld } from '../mesh/weld.ts';
-import { uniqueEdges } from './edges.ts';
 import { NormalWriter } from './normals.ts';
 import { frameOf, toView, type ViewFrame } from './view-frame.ts';
 
@@ -69,8 +69,8 @@ export class Surface {
     if (this.#edges) return this.#edges;
     const edges = new BufferGeometry();
     edges.setAttribute('position', this.#position);
-    const index = uniqueEdges(this.#welded.triangles, this.#mesh.triangles, this.#welded.vertices);
-    edges.setIndex(new BufferAttribute(index, 1));
+    const { ends } = edgesOf(this.#welded.triangles, this.#mesh.triangles, this.#welded.vertices);
+    edges.setIndex(new BufferAttribute(ends, 1));
     this.#edges = edges;
     return edges;
   }

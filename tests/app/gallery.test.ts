@@ -4,8 +4,6 @@ import { writePng } from '../../src/styles/png.ts';
 import { unit } from '../../src/styles/vectors.ts';
 import { Display } from '../../web/document/display.ts';
 import { commandLine } from '../../web/document/formats.ts';
-import { measure } from '../../web/document/overlays.ts';
-import { histogram, ramp, rampColors } from '../../web/document/ramp.ts';
 import { Runner } from '../../web/document/runner.ts';
 import { startingStrength } from '../../web/document/starting-lambda.ts';
 import { Store } from '../../web/document/store.ts';
@@ -143,30 +141,5 @@ describe('walking in the grid', () => {
     const row = boxes.map((_, k) => ({ left: 50 * k, top: 0 }));
     expect(stepInGrid(row, 2, 'ArrowDown')).toBe(3);
     expect(stepInGrid(row, 2, 'ArrowUp')).toBe(1);
-  });
-});
-
-describe('looking closer', () => {
-  it('measures angles on one scale, and movement as a share of the size', async () => {
-    const { workspace } = await desk();
-    const document = workspace.document!;
-    const [before, after] = [measure(document, 'before')!, measure(document, 'after')!];
-    expect(before.max).toBe(after.max);
-    expect(before.values.every((value) => value >= 0 && value < 60)).toBe(true);
-    // The fake engine only scales: normals stay.
-    for (const [p, value] of after.values.entries()) expect(value).toBeCloseTo(before.values[p]!, 2);
-    const lambda = document.parameters.lambda as number;
-    expect(measure(document, 'moved')!.values[1]).toBeCloseTo((100 * lambda) / Math.sqrt(3), 3);
-    expect(measure(document, 'none')).toBeNull();
-  });
-
-  it('has a ramp that only gets lighter', () => {
-    const light = Array.from({ length: 50 }, (_, k) => {
-      const { r, g, b } = ramp(k / 49);
-      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    });
-    expect(light).toEqual([...light].sort((a, b) => a - b));
-    expect(rampColors(Float32Array.of(0, 5, 99), 5)).toHaveLength(9);
-    expect(histogram(Float32Array.of(0, 1, 2.5, 9), 5, 5)).toEqual([1, 1, 1, 0, 1]);
   });
 });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { edgesOf } from '../../src/mesh/edges.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
-import { uniqueEdges } from '../../src/viewer/edges.ts';
 import { Morph } from '../../src/viewer/morph.ts';
 import { Pace } from '../../src/viewer/pace.ts';
 import { RenderLoop } from '../../src/viewer/render-loop.ts';
@@ -46,10 +46,12 @@ describe('a surface', () => {
 describe('edges', () => {
   it('are there once each, borders and seams included', () => {
     const mesh = tetrahedron();
-    expect(uniqueEdges(mesh.triangles, mesh.triangles, 4)).toHaveLength(12);
-    expect(uniqueEdges(Uint32Array.of(0, 1, 2, 1, 3, 2), Uint32Array.of(0, 1, 2, 3, 5, 4), 4)).toHaveLength(
-      10,
-    );
+    const closed = edgesOf(mesh.triangles, mesh.triangles, 4);
+    expect(closed.ends).toHaveLength(12);
+    expect([...closed.faces]).toEqual([2, 2, 2, 2, 2, 2]);
+    const seam = edgesOf(Uint32Array.of(0, 1, 2, 1, 3, 2), Uint32Array.of(0, 1, 2, 3, 5, 4), 4);
+    expect([...seam.ends]).toEqual([0, 1, 1, 2, 2, 0, 3, 5, 5, 4]);
+    expect([...seam.faces]).toEqual([1, 2, 1, 1, 1]);
   });
 });
 
