@@ -113,24 +113,26 @@ describe('angles', () => {
 });
 
 describe('curvature', () => {
-  it('is told in the mesh’s size, on both sides of 0', () => {
+  it('is told in that of a ball of the same surface, on both sides of 0', () => {
     const document = documentOf(torus(60, 30), {}, (x) => 7 * x);
     const [before, after] = [measure(document, 'curvature-before')!, measure(document, 'curvature-after')!];
-    const square = 2.8 ** 2 + 2.8 ** 2 + 0.8 ** 2;
-    expect(Math.max(...before.values)).toBeCloseTo((square * 1) / (0.4 * 1.4), -0.5);
-    expect(Math.min(...before.values)).toBeLessThan(-25);
-    // Seven times as large, a 49th of the curvature, in units of the file's own size.
+    const perBall = (4 * Math.PI ** 2 * 0.4) / (4 * Math.PI);
+    expect(Math.max(...before.values)).toBeCloseTo(perBall / (0.4 * 1.4), 0);
+    expect(Math.min(...before.values)).toBeCloseTo(-perBall / (0.4 * 0.6), 0);
+    // Seven times as large, a 49th of the curvature, in units of the file's own surface.
     after.values.forEach((value, p) => {
       expect(value).toBeCloseTo(before.values[p]! / 49, 4);
     });
-    expect(ticksOf(before.scale)).toEqual(['−60', '0', '60 / size²']);
+    expect(ticksOf(before.scale)).toEqual(['−5', '0', '5 × a ball’s']);
     expect(after.scale).toEqual(before.scale);
   });
 
   it('knows what can be unrolled, and leaves the boundary blank', () => {
     const roll = documentOf(openCylinder(30, 10), {}, (x, i) => (i % 3 === 2 ? x : x * (1 + 0.4 * (i % 2))));
     const overlay = measure(roll, 'curvature-after')!;
-    expect(overlay.verdict).toBe('Nearly flat: 100 % of the vertices before, 100 % after.');
+    expect(overlay.verdict).toBe(
+      'Nearly flat, under half of a ball’s: 100 % of the vertices before, 100 % after.',
+    );
     expect(overlay.blank).toBe('boundary');
     expect(overlay.values.filter(Number.isNaN)).toHaveLength(60);
     expect(measure(documentOf(icosphere(2)), 'curvature-before')).toMatchObject({

@@ -1,12 +1,10 @@
 import { shownPositions, type WhittleDocument } from '../document.ts';
-import { type Measure, sizeOf } from './overlay.ts';
+import type { Measure } from './overlay.ts';
 import { percent, quantile, roundedUp } from './statistics.ts';
 import { surveyOf } from './survey.ts';
 
-/**
- * Curvature times squared size below which a place is nearly flat: less than that of a ball whose radius is the mesh's size.
- */
-const nearlyFlat = 1;
+/** Less curved than this is nearly flat; 1 is a ball whose surface is as large as the mesh's. */
+const nearlyFlat = 0.5;
 
 /** Of the file's own shape; negative at saddles, positive at peaks and hollows, zero where it can be unrolled (2021, Fig. 21). */
 export const curvatureBefore: Measure = {
@@ -20,7 +18,7 @@ export const curvatureBefore: Measure = {
       ...picture(document, before, before),
       title: 'Gaussian curvature, before',
       summary: `${flat} nearly flat`,
-      verdict: `Nearly flat: ${flat} of the vertices.`,
+      verdict: `Nearly flat, under half of a ball’s: ${flat} of the vertices.`,
     };
   },
 };
@@ -38,7 +36,7 @@ export const curvatureAfter: Measure = {
       ...picture(document, after, before),
       title: 'Gaussian curvature, after',
       summary: `${flat} nearly flat`,
-      verdict: `Nearly flat: ${was} of the vertices before, ${flat} after.`,
+      verdict: `Nearly flat, under half of a ball’s: ${was} of the vertices before, ${flat} after.`,
     };
   },
 };
@@ -47,16 +45,15 @@ export const curvatureAfter: Measure = {
 function picture(document: WhittleDocument, curvature: Float64Array, before: Float64Array) {
   const values = surveyOf(document.mesh).spread(curvature);
   const end = roundedUp(Math.max(nearlyFlat, quantile(before.map(Math.abs), 0.9)));
-  const scale = { kind: 'signed', end, unit: ' / size²' } as const;
+  const scale = { kind: 'signed', end, unit: ' × a ball’s' } as const;
   return values.some(Number.isNaN) ? { scale, values, blank: 'boundary' } : { scale, values };
 }
 
-/** Times squared size, #V. */
-function curvatureOf(document: WhittleDocument, positions: Float64Array): Float64Array {
-  const square = sizeOf(document) ** 2;
-  return surveyOf(document.mesh)
-    .curvature(positions)
-    .map((value) => value * square);
+/** In those of a ball whose surface is as large as the file's shape, #V: the same at any size. */
+function curvatureOf({ mesh }: WhittleDocument, positions: Float64Array): Float64Array {
+  const survey = surveyOf(mesh);
+  const perBall = survey.area / (4 * Math.PI);
+  return survey.curvature(positions).map((value) => value * perBall);
 }
 
 function flatShare(curvature: Float64Array): number {

@@ -39,7 +39,7 @@ export interface Measure {
   readonly of: (document: WhittleDocument) => Overlay;
 }
 
-/** The diagonal of the file's box: what lengths and curvatures are told in. */
+/** The diagonal of the file's box: what lengths are told in. */
 export function sizeOf({ report: { min, max } }: WhittleDocument): number {
   return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]) || 1;
 }

@@ -57,6 +57,11 @@ export class Survey {
     );
   }
 
+  /** Of the file's own shape. */
+  get area(): number {
+    return this.ringAreas(this.#mesh.positions).reduce((sum, area) => sum + area, 0) / 3;
+  }
+
   /** Area of the faces around each vertex, #V. */
   ringAreas(positions: Float64Array): Float64Array {
     return this.#remembered('areas', positions, () =>
