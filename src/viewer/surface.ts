@@ -75,6 +75,24 @@ export class Surface {
     return edges;
   }
 
+  /** The faces look inwards. An open surface counts by the body it is most of; a sheet that encloses nothing has no inside. */
+  get isInsideOut(): boolean {
+    const x = this.drawn;
+    const corners = this.#mesh.triangles;
+    let sixfoldVolume = 0;
+    let doubledArea = 0;
+    for (let c = 0; c < corners.length; c += 3) {
+      const [a, b, d] = [3 * corners[c]!, 3 * corners[c + 1]!, 3 * corners[c + 2]!];
+      const [ux, uy, uz] = [x[b]! - x[a]!, x[b + 1]! - x[a + 1]!, x[b + 2]! - x[a + 2]!];
+      const [vx, vy, vz] = [x[d]! - x[a]!, x[d + 1]! - x[a + 1]!, x[d + 2]! - x[a + 2]!];
+      const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+      sixfoldVolume += x[a]! * nx + x[a + 1]! * ny + x[a + 2]! * nz;
+      doubledArea += Math.hypot(nx, ny, nz);
+    }
+    // 36π V² / A³ is 1 for a ball and less for all else.
+    return sixfoldVolume < 0 && Math.PI * sixfoldVolume ** 2 > flatBody * (doubledArea / 2) ** 3;
+  }
+
   /** Smallest drawn coordinate on an axis (0, 1, 2): where the ground goes. */
   lowest(axis: 0 | 1 | 2): number {
     let low = Infinity;
@@ -87,6 +105,9 @@ export class Surface {
     this.#edges?.dispose();
   }
 }
+
+/** Bodies flatter than this, by volume for their area, are sheets. */
+const flatBody = 0.02;
 
 function dynamic(length: number): BufferAttribute {
   return new BufferAttribute(new Float32Array(length), 3).setUsage(DynamicDrawUsage);

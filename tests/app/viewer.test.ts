@@ -6,6 +6,7 @@ import { Pace } from '../../src/viewer/pace.ts';
 import { RenderLoop } from '../../src/viewer/render-loop.ts';
 import { Surface } from '../../src/viewer/surface.ts';
 import { frameOf } from '../../src/viewer/view-frame.ts';
+import { pipe, sail } from '../fixtures/shapes.ts';
 import { tetrahedron } from './fake-engine.ts';
 
 /** Two triangles side by side whose common edge is stored twice, far from the origin. */
@@ -30,6 +31,20 @@ describe('a surface', () => {
     expect(surface.drawn[3]! - surface.drawn[0]!).toBeCloseTo(Math.SQRT2, 6);
     const normals = [...surface.geometry.getAttribute('normal').array];
     expect(normals).toEqual(Array.from({ length: 6 }, () => [0, 0, 1]).flat());
+  });
+
+  it('knows when its faces look inwards, and that a sheet has no inside', () => {
+    const turned = ({ positions, triangles }: Pick<Mesh, 'positions' | 'triangles'>): Mesh => ({
+      positions,
+      triangles: triangles.slice().reverse() as Mesh['triangles'],
+      hasUvs: false,
+    });
+    expect(new Surface(tetrahedron()).isInsideOut).toBe(false);
+    expect(new Surface(turned(tetrahedron())).isInsideOut).toBe(true);
+    expect(new Surface(pipe(20, 30) as Mesh).isInsideOut).toBe(true);
+    expect(new Surface(turned(pipe(20, 30))).isInsideOut).toBe(false);
+    expect(new Surface(sail(12) as Mesh).isInsideOut).toBe(false);
+    expect(new Surface(turned(sail(12))).isInsideOut).toBe(false);
   });
 
   it('is quick enough for every iteration', () => {

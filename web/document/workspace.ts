@@ -162,7 +162,8 @@ export class Workspace {
     const report = await engine.inspect(mesh, { signal: task.signal });
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
-    const method = offeredMethods()[0]!;
+    // What was done to the last mesh is done to the next.
+    const method = findMethod(this.document?.method ?? '') ?? offeredMethods()[0]!;
     const style = this.document?.style ?? null;
     const parameters = startingParameters(method, { report, style });
     return {

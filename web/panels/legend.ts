@@ -13,7 +13,7 @@ export class WhittleLegend extends PageElement {
       <div class="legend">
         <p><b>${title}</b><span>${summary}</span></p>
         <div class="band" style="background:${gradient(scale)}"></div>
-        <p class="ends">${ticksOf(scale).map((tick) => html`<span>${tick}</span>`)}</p>
+        <p class="ends">${ticksOf(scale).map((tick) => html`<span class="tick">${tick}</span>`)}</p>
         ${blank ? html`<p class="blank"><span><i style="background:${blankColor.getStyle()}"></i>${blank}: no value</span></p>` : nothing}
       </div>`;
   }
