@@ -75,8 +75,8 @@ export class Surface {
     return edges;
   }
 
-  /** The faces look inwards. An open surface counts by the body it is most of; a sheet that encloses nothing has no inside. */
-  get isInsideOut(): boolean {
+  /** Where the faces look. An open surface counts by the body it is most of; a sheet encloses nothing and has no inside. */
+  get facing(): 'out' | 'in' | 'neither' {
     const x = this.drawn;
     const corners = this.#mesh.triangles;
     let sixfoldVolume = 0;
@@ -90,7 +90,8 @@ export class Surface {
       doubledArea += Math.hypot(nx, ny, nz);
     }
     // 36π V² / A³ is 1 for a ball and less for all else.
-    return sixfoldVolume < 0 && Math.PI * sixfoldVolume ** 2 > flatBody * (doubledArea / 2) ** 3;
+    const isSheet = Math.PI * sixfoldVolume ** 2 < flatBody * (doubledArea / 2) ** 3;
+    return isSheet ? 'neither' : sixfoldVolume > 0 ? 'out' : 'in';
   }
 
   /** Smallest drawn coordinate on an axis (0, 1, 2): where the ground goes. */

@@ -35,6 +35,8 @@ export interface ViewerOptions {
   readonly onContext?: (lost: boolean) => void;
 }
 
+const casting = { out: BackSide, in: FrontSide, neither: DoubleSide } as const;
+
 /** Draws one mesh on a canvas. Draws on demand only; every setter asks for a drawing. */
 export class Viewer {
   readonly canvas: HTMLCanvasElement;
@@ -105,11 +107,12 @@ export class Viewer {
     this.clear();
     this.#surface = new Surface(mesh);
     this.#body = new MeshObject(this.#surface.geometry, this.#clay);
-    this.#body.castShadow = this.#body.receiveShadow = true;
     this.#body.frustumCulled = false;
-    // What casts is the side away from the light, which is dark anyway: no speckle where it grazes.
-    for (const material of [this.#clay, this.#facets])
-      material.shadowSide = this.#surface.isInsideOut ? FrontSide : BackSide;
+    const { facing } = this.#surface;
+    this.#body.castShadow = true;
+    // What casts is the side away from the light, which is dark anyway: no speckle where it grazes. A sheet has no such side.
+    this.#body.receiveShadow = facing !== 'neither';
+    for (const material of [this.#clay, this.#facets]) material.shadowSide = casting[facing];
     this.#turned.add(this.#body);
     this.#zUp = up === 'z';
     this.#turned.rotation.x = this.#zUp ? -Math.PI / 2 : 0;

@@ -49,6 +49,22 @@ describe('choosing a style', () => {
     expect(workspace.document!.method).toBe('cubic');
   });
 
+  it('stays on when another mesh is opened', async () => {
+    const { store, workspace, styles, entry, engine } = await desk();
+    await styles.choose(entry('icosahedron'));
+    await quiet(store);
+    const { parameters } = workspace.document!;
+    engine.calls.length = 0;
+    await workspace.open(Uint8Array.of(2), 'b.obj');
+    await quiet(store);
+    expect(workspace.document).toMatchObject({
+      method: 'analogy',
+      style: { source: 'icosahedron' },
+      parameters,
+    });
+    expect(engine.calls).toContain(`solve rest ${parameters.lambda}`);
+  });
+
   it('keeps a strength that was chosen by hand and follows the style otherwise', async () => {
     const { store, workspace, styles, entry } = await desk();
     await styles.choose(entry('cube'));

@@ -33,18 +33,18 @@ describe('a surface', () => {
     expect(normals).toEqual(Array.from({ length: 6 }, () => [0, 0, 1]).flat());
   });
 
-  it('knows when its faces look inwards, and that a sheet has no inside', () => {
+  it('knows where its faces look, and that a sheet has no inside', () => {
     const turned = ({ positions, triangles }: Pick<Mesh, 'positions' | 'triangles'>): Mesh => ({
       positions,
       triangles: triangles.slice().reverse() as Mesh['triangles'],
       hasUvs: false,
     });
-    expect(new Surface(tetrahedron()).isInsideOut).toBe(false);
-    expect(new Surface(turned(tetrahedron())).isInsideOut).toBe(true);
-    expect(new Surface(pipe(20, 30) as Mesh).isInsideOut).toBe(true);
-    expect(new Surface(turned(pipe(20, 30))).isInsideOut).toBe(false);
-    expect(new Surface(sail(12) as Mesh).isInsideOut).toBe(false);
-    expect(new Surface(turned(sail(12))).isInsideOut).toBe(false);
+    expect(new Surface(tetrahedron()).facing).toBe('out');
+    expect(new Surface(turned(tetrahedron())).facing).toBe('in');
+    expect(new Surface(pipe(20, 30) as Mesh).facing).toBe('in');
+    expect(new Surface(turned(pipe(20, 30))).facing).toBe('out');
+    expect(new Surface(sail(12) as Mesh).facing).toBe('neither');
+    expect(new Surface(turned(sail(12))).facing).toBe('neither');
   });
 
   it('is quick enough for every iteration', () => {
