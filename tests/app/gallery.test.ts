@@ -5,7 +5,7 @@ import { unit } from '../../src/styles/vectors.ts';
 import { Display } from '../../web/document/display.ts';
 import { commandLine } from '../../web/document/formats.ts';
 import { Runner } from '../../web/document/runner.ts';
-import { startingStrength } from '../../web/document/starting-lambda.ts';
+import { startingRegularizer, startingStrength } from '../../web/document/starting-lambda.ts';
 import { Store } from '../../web/document/store.ts';
 import { Workspace } from '../../web/document/workspace.ts';
 import { stepInGrid } from '../../web/panels/grid-steps.ts';
@@ -47,6 +47,21 @@ describe('choosing a style', () => {
     expect(store.state.history.past.map(({ label }) => label)).toEqual(['Icosahedron']);
     workspace.undo();
     expect(workspace.document!.method).toBe('cubic');
+  });
+
+  it('starts a coarse mesh in flat faces with farap, all else with arap, unless one was chosen', async () => {
+    const { workspace, styles, entry } = await desk();
+    const regularizer = () => workspace.document!.parameters.regularizer;
+    await styles.choose(entry('cube'));
+    expect(regularizer()).toBe('farap');
+    await styles.choose(entry('terraced'));
+    expect(regularizer()).toBe('arap');
+    workspace.commit({ parameters: { ...workspace.document!.parameters, regularizer: 'acap' } }, 'Keeps');
+    await styles.choose(entry('cube'));
+    expect(regularizer()).toBe('acap');
+    const { map } = workspace.document!.style!;
+    expect(startingRegularizer({ vertices: 1800, components: 1 }, map)).toBe('arap');
+    expect(startingRegularizer({ vertices: 1800, components: 3 }, map)).toBe('farap');
   });
 
   it('stays on when another mesh is opened', async () => {

@@ -8,7 +8,7 @@ import type {
 } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { Shaping, WhittleDocument } from './document.ts';
-import { startingLambda, startingStrength } from './starting-lambda.ts';
+import { startingLambda, startingRegularizer, startingStrength } from './starting-lambda.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
@@ -41,8 +41,9 @@ export function startingParameters(
   const values: Record<string, number | string | boolean> = {};
   for (const parameter of editableParameters(method)) values[parameter.name] = parameter.default;
   if (typeof values.lambda !== 'number') return values;
-  values.lambda = takesStyle(method) && style ? startingStrength(style.map) : startingLambda(report.vertices);
-  return values;
+  if (!takesStyle(method) || !style) return { ...values, lambda: startingLambda(report.vertices) };
+  const regularizer = startingRegularizer(report, style.map);
+  return { ...values, lambda: startingStrength(style.map), regularizer };
 }
 
 /** What the engine gets. */

@@ -1,13 +1,12 @@
 import type { Engine } from '../../src/engine/client.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
+import type { MethodDescriptor, ParameterValues } from '../../src/methods/descriptor.ts';
 import { methods } from '../../src/methods/registry.ts';
 import { mapOfPixels } from '../../src/styles/captures.ts';
 import { normalsOfConvex } from '../../src/styles/convex-normals.ts';
 import { isPng, readPng } from '../../src/styles/png.ts';
 import type { ChosenStyle, WhittleDocument } from '../document/document.ts';
 import { startingParameters, takesStyle } from '../document/offered-methods.ts';
-import { startingStrength } from '../document/starting-lambda.ts';
 import type { Gallery, Store } from '../document/store.ts';
 import { firstStyle, ownStyle, type StyleEntry } from '../document/style-gallery.ts';
 import { Film, StyleReader } from '../document/style-reader.ts';
@@ -134,7 +133,7 @@ export class StyleDesk {
     const { report } = document;
     const parameters =
       document.method === method.id
-        ? carriedOver(document, style)
+        ? carriedOver(method, document, style)
         : startingParameters(method, { report, style });
     this.#workspace.restyle({ method: method.id, parameters, style }, style.name);
   }
@@ -162,10 +161,16 @@ export class StyleDesk {
   }
 }
 
-/** A strength that the person chose stays; one that nobody touched becomes what suits the new style. */
-function carriedOver({ parameters, style: old }: WhittleDocument, style: ChosenStyle): ParameterValues {
-  const isUntouched = old === null || parameters.lambda === startingStrength(old.map);
-  return isUntouched ? { ...parameters, lambda: startingStrength(style.map) } : parameters;
+/** What the person chose stays; what nobody touched becomes what suits the new style. */
+function carriedOver(
+  method: MethodDescriptor,
+  document: WhittleDocument,
+  style: ChosenStyle,
+): ParameterValues {
+  const before = startingParameters(method, document);
+  const after = startingParameters(method, { ...document, style });
+  const touched = Object.entries(document.parameters).filter(([name, value]) => value !== before[name]);
+  return { ...after, ...Object.fromEntries(touched) };
 }
 
 function captureOf(bytes: Uint8Array, file: string): StyleEntry {
