@@ -131,7 +131,7 @@ describe('curvature', () => {
     const roll = documentOf(openCylinder(30, 10), {}, (x, i) => (i % 3 === 2 ? x : x * (1 + 0.4 * (i % 2))));
     const overlay = measure(roll, 'curvature-after')!;
     expect(overlay.verdict).toBe(
-      'Nearly flat, under half of a ball’s: 100 % of the vertices before, 100 % after.',
+      'Nearly flat, under 0.2 × a ball’s: 100 % of the vertices before, 100 % after.',
     );
     expect(overlay.blank).toBe('boundary');
     expect(overlay.values.filter(Number.isNaN)).toHaveLength(60);
