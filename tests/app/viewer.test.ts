@@ -7,6 +7,7 @@ import { RenderLoop } from '../../src/viewer/render-loop.ts';
 import { Surface } from '../../src/viewer/surface.ts';
 import { frameOf } from '../../src/viewer/view-frame.ts';
 import { pipe, sail } from '../fixtures/shapes.ts';
+import { tenMeshes } from '../fixtures/ten-meshes.ts';
 import { tetrahedron } from './fake-engine.ts';
 
 /** Two triangles side by side whose common edge is stored twice, far from the origin. */
@@ -45,6 +46,11 @@ describe('a surface', () => {
     expect(new Surface(turned(pipe(20, 30))).facing).toBe('out');
     expect(new Surface(sail(12) as Mesh).facing).toBe('neither');
     expect(new Surface(turned(sail(12))).facing).toBe('neither');
+  });
+
+  it('of every sample looks outwards', async () => {
+    for (const { name, about, mesh } of await tenMeshes())
+      if (about.startsWith('sample')) expect([name, new Surface(mesh as Mesh).facing]).toEqual([name, 'out']);
   });
 
   it('is quick enough for every iteration', () => {

@@ -7,7 +7,7 @@ import { normalsOf, subdivide } from './loop-subdivision.mjs';
 import { openVase, pebbleKnot } from './own-shapes.mjs';
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), '../../public/samples');
-const version = '2';
+const version = '3';
 
 const borrowed = [
   { from: 'bunny', file: 'rabbit.glb', finer: true },
