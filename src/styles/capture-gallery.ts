@@ -31,7 +31,7 @@ const terraced = turned((latitude, longitude) => {
 
 const rippled = turned((latitude, longitude) => [latitude + 0.55 * Math.sin(14 * latitude), longitude]);
 
-const fluted = turned((latitude, longitude) => [latitude, longitude + 0.2 * Math.sin(12 * longitude)]);
+const fluted = turned((latitude, longitude) => [latitude, longitude + 0.5 * Math.sin(6 * longitude)]);
 
 const snapped =
   (directions: readonly Vec3[]): Rule =>
@@ -54,7 +54,7 @@ const flattened: Rule = ([x, y, z]) => unit([0.3 * x, y, 0.3 * z]);
 /** Waves along x that tilt normals up and down; the poles keep theirs. */
 const wavy: Rule = (normal) => {
   const [x, y] = normal;
-  return unit(add(normal, [0, 0.7 * Math.sin(7 * x) * (1 - y * y), 0]));
+  return unit(add(normal, [0, 1.2 * Math.cos(6 * x) * (1 - y * y), 0]));
 };
 
 const rules: readonly (readonly [id: string, name: string, rule: () => Rule])[] = [

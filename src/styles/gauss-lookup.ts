@@ -1,11 +1,11 @@
 import type { GaussMap } from '../methods/gauss-map.ts';
 import { SphereLocator } from './sphere-locator.ts';
-import { add, dot, row, scale, unit, type Vec3 } from './vectors.ts';
+import { add, row, scale, unit, type Vec3 } from './vectors.ts';
 
 /** Says which normal a style wants where the input has the given one (unit; the answer is too). */
 export type GaussLookup = (normal: Vec3) => Vec3;
 
-/** A style as a function, for pictures and measures; the core has its own for solving. Ask for neighbours in a row. */
+/** A style as a function, for pictures and measures; the core has its own for solving. */
 export function lookup(map: GaussMap): GaussLookup {
   if (map.kind === 'closest') return (normal) => closest(map.normals, normal);
   const { points, triangles, normals, per } = map;
@@ -18,11 +18,11 @@ export function lookup(map: GaussMap): GaussLookup {
   };
 }
 
-function closest(normals: Float64Array, normal: Vec3): Vec3 {
+function closest(normals: Float64Array, [x, y, z]: Vec3): Vec3 {
   let best = 0;
   let nearest = -Infinity;
-  for (let n = 0; n < normals.length / 3; n++) {
-    const cosine = dot(row(normals, n), normal);
+  for (let n = 0; 3 * n < normals.length; n++) {
+    const cosine = x * normals[3 * n]! + y * normals[3 * n + 1]! + z * normals[3 * n + 2]!;
     if (cosine > nearest) {
       nearest = cosine;
       best = n;

@@ -10,16 +10,19 @@ export interface SpherePlace {
 /** Slack for directions that fall on an edge. */
 const onEdge = -1e-12;
 
+const cellsAcross = 16;
+
 /**
- * Finds the triangle of a closed sphere around a direction: it walks from the triangle of the last question over the edge that
- * the direction lies beyond. Neighbouring questions in a row are answered in a few steps; should a walk go in circles, all
- * triangles are tried.
+ * Finds the triangle of a closed sphere around a direction: it walks from the answer to the last question nearby over the edge
+ * that the direction lies beyond, mostly a few steps; should a walk go in circles, all triangles are tried.
  */
 export class SphereLocator {
   readonly #points: Float64Array;
   readonly #triangles: Uint32Array;
   /** #F×3: the face beyond the edge from corner k to the next. */
   readonly #beyond: Int32Array;
+  /** The last answer in each cell of a grid about the sphere; −1 where nothing was asked yet. */
+  readonly #nearby = new Int32Array(cellsAcross ** 3).fill(-1);
   #last = 0;
 
   /** @param points unit, #V×3   @param triangles counter-clockwise from outside, #F×3 */
@@ -31,6 +34,14 @@ export class SphereLocator {
 
   locate(direction: Vec3): SpherePlace {
     const faces = this.#triangles.length / 3;
+    const cell = cellOf(direction);
+    if (this.#nearby[cell]! >= 0) this.#last = this.#nearby[cell]!;
+    const place = this.#walk(direction, faces) ?? this.#search(direction);
+    this.#nearby[cell] = place.face;
+    return place;
+  }
+
+  #walk(direction: Vec3, faces: number): SpherePlace | null {
     for (let step = 0; step < 200 && step < faces; step++) {
       const sides = this.#sides(this.#last, direction);
       const worst = leastOf(sides);
@@ -40,7 +51,7 @@ export class SphereLocator {
       if (next < 0) break;
       this.#last = next;
     }
-    return this.#search(direction);
+    return null;
   }
 
   #search(direction: Vec3): SpherePlace {
@@ -58,13 +69,20 @@ export class SphereLocator {
 
   /** How far inside each edge the direction lies: volumes with the edge, negative beyond it. */
   #sides(face: number, direction: Vec3): Vec3 {
-    const [a, b, c] = [0, 1, 2].map((k) => row(this.#points, this.#triangles[3 * face + k]!)) as [
-      Vec3,
-      Vec3,
-      Vec3,
-    ];
+    const corners = this.#triangles;
+    const a = row(this.#points, corners[3 * face]!);
+    const b = row(this.#points, corners[3 * face + 1]!);
+    const c = row(this.#points, corners[3 * face + 2]!);
     return [dot(cross(a, b), direction), dot(cross(b, c), direction), dot(cross(c, a), direction)];
   }
+}
+
+function cellOf(direction: Vec3): number {
+  const along = (axis: 0 | 1 | 2): number => {
+    const cell = Math.floor(((direction[axis] + 1) / 2) * cellsAcross);
+    return Math.max(0, Math.min(cellsAcross - 1, cell));
+  };
+  return (along(0) * cellsAcross + along(1)) * cellsAcross + along(2);
 }
 
 function leastOf([ab, bc, ca]: Vec3): 0 | 1 | 2 {

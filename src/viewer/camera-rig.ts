@@ -20,6 +20,8 @@ export class CameraRig {
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #glide: { position: Vector3; target: Vector3 } | null = null;
   #radius = 1;
+  /** A hand has moved the camera since the last fit. */
+  #isMoved = false;
   #last = 0;
 
   constructor(element: HTMLElement, onChange: () => void) {
@@ -31,6 +33,7 @@ export class CameraRig {
     this.controls.addEventListener('change', onChange);
     this.controls.addEventListener('start', () => {
       this.#glide = null;
+      this.#isMoved = true;
     });
     this.fit(1, false);
   }
@@ -38,6 +41,7 @@ export class CameraRig {
   /** Frames a sphere about the origin. */
   fit(radius: number, glide: boolean): void {
     this.#radius = radius;
+    this.#isMoved = false;
     const free = this.#freeArea();
     const tangent = Math.tan((fieldOfView * Math.PI) / 360);
     // The view's height belongs to the whole canvas; the sphere has to fit the free part of it, both ways.
@@ -53,6 +57,11 @@ export class CameraRig {
     this.camera.position.copy(goal.position);
     this.controls.target.copy(goal.target);
     this.controls.update();
+  }
+
+  /** Frames what has outgrown the frame, or needs less of it again, unless a hand has moved the camera. */
+  follow(radius: number): void {
+    if (!this.#isMoved && Math.abs(radius / this.#radius - 1) > 0.03) this.fit(radius, true);
   }
 
   resize(width: number, height: number): void {

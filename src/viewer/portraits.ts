@@ -11,6 +11,7 @@ import {
 import type { Mesh } from '../mesh/mesh.ts';
 import { Stage, type StageTheme } from './stage.ts';
 import { Surface } from './surface.ts';
+import { reachOf } from './view-frame.ts';
 
 /** What a portrait is of. */
 export interface Subject {
@@ -51,7 +52,7 @@ export class Portraits {
       this.#material.needsUpdate = true;
     }
     const body = new MeshObject(surface.geometry, this.#material);
-    body.scale.setScalar(1 / reachOf(surface.drawn));
+    body.scale.setScalar(1 / (reachOf(surface.drawn) || 1));
     this.#scene.add(body);
     this.#renderer.render(this.#scene, this.#camera);
     this.#scene.remove(body);
@@ -71,12 +72,4 @@ export class Portraits {
 
 function shadeBy(normals: Float64Array, geometry: BufferGeometry): void {
   geometry.setAttribute('normal', new BufferAttribute(Float32Array.from(normals), 3));
-}
-
-/** How far the farthest point is from the origin. */
-function reachOf(positions: Float32Array): number {
-  let square = 0;
-  for (let p = 0; p < positions.length; p += 3)
-    square = Math.max(square, positions[p]! ** 2 + positions[p + 1]! ** 2 + positions[p + 2]! ** 2);
-  return Math.sqrt(square) || 1;
 }

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
+import { edgesOf } from '../mesh/edges.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import { weld } from '../mesh/weld.ts';
-import { uniqueEdges } from './edges.ts';
 import { NormalWriter } from './normals.ts';
 import { frameOf, toView, type ViewFrame } from './view-frame.ts';
 
@@ -69,10 +69,29 @@ export class Surface {
     if (this.#edges) return this.#edges;
     const edges = new BufferGeometry();
     edges.setAttribute('position', this.#position);
-    const index = uniqueEdges(this.#welded.triangles, this.#mesh.triangles, this.#welded.vertices);
-    edges.setIndex(new BufferAttribute(index, 1));
+    const { ends } = edgesOf(this.#welded.triangles, this.#mesh.triangles, this.#welded.vertices);
+    edges.setIndex(new BufferAttribute(ends, 1));
     this.#edges = edges;
     return edges;
+  }
+
+  /** Where the faces look. An open surface counts by the body it is most of; a sheet encloses nothing and has no inside. */
+  get facing(): 'out' | 'in' | 'neither' {
+    const x = this.drawn;
+    const corners = this.#mesh.triangles;
+    let sixfoldVolume = 0;
+    let doubledArea = 0;
+    for (let c = 0; c < corners.length; c += 3) {
+      const [a, b, d] = [3 * corners[c]!, 3 * corners[c + 1]!, 3 * corners[c + 2]!];
+      const [ux, uy, uz] = [x[b]! - x[a]!, x[b + 1]! - x[a + 1]!, x[b + 2]! - x[a + 2]!];
+      const [vx, vy, vz] = [x[d]! - x[a]!, x[d + 1]! - x[a + 1]!, x[d + 2]! - x[a + 2]!];
+      const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+      sixfoldVolume += x[a]! * nx + x[a + 1]! * ny + x[a + 2]! * nz;
+      doubledArea += Math.hypot(nx, ny, nz);
+    }
+    // 36π V² / A³ is 1 for a ball and less for all else.
+    const isSheet = Math.PI * sixfoldVolume ** 2 < flatBody * (doubledArea / 2) ** 3;
+    return isSheet ? 'neither' : sixfoldVolume > 0 ? 'out' : 'in';
   }
 
   /** Smallest drawn coordinate on an axis (0, 1, 2): where the ground goes. */
@@ -87,6 +106,9 @@ export class Surface {
     this.#edges?.dispose();
   }
 }
+
+/** Bodies flatter than this, by volume for their area, are sheets. */
+const flatBody = 0.02;
 
 function dynamic(length: number): BufferAttribute {
   return new BufferAttribute(new Float32Array(length), 3).setUsage(DynamicDrawUsage);

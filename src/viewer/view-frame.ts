@@ -25,6 +25,14 @@ export function frameOf(positions: Float64Array): ViewFrame {
   return { center: [middle(0), middle(1), middle(2)], scale: usable ? 1 / radius : 1 };
 }
 
+/** How far the farthest point is from the origin. @param positions #P×3 */
+export function reachOf(positions: Float32Array): number {
+  let square = 0;
+  for (let p = 0; p < positions.length; p += 3)
+    square = Math.max(square, positions[p]! ** 2 + positions[p + 1]! ** 2 + positions[p + 2]! ** 2);
+  return Math.sqrt(square);
+}
+
 /** Writes positions of the file (#P×3) in view units into a GPU array of the same length. */
 export function toView(positions: Float64Array, frame: ViewFrame, into: Float32Array): void {
   const [cx, cy, cz] = frame.center;

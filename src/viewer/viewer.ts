@@ -1,6 +1,7 @@
 import {
   BackSide,
   DoubleSide,
+  FrontSide,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -18,7 +19,7 @@ import { type Renderer, webGlRenderer } from './renderer.ts';
 import { Screen } from './screen.ts';
 import { lightTheme, Stage, type StageTheme } from './stage.ts';
 import { Surface } from './surface.ts';
-import { toView } from './view-frame.ts';
+import { reachOf, toView } from './view-frame.ts';
 
 export type { Insets } from './camera-rig.ts';
 export type { Renderer } from './renderer.ts';
@@ -33,6 +34,8 @@ export interface ViewerOptions {
   /** The graphics context is gone (true) or back (false). The viewer draws again by itself when it is back. */
   readonly onContext?: (lost: boolean) => void;
 }
+
+const casting = { out: BackSide, in: FrontSide, neither: DoubleSide } as const;
 
 /** Draws one mesh on a canvas. Draws on demand only; every setter asks for a drawing. */
 export class Viewer {
@@ -75,8 +78,6 @@ export class Viewer {
     this.#rig = new CameraRig(canvas, this.#loop.invalidate);
     this.#scene.add(this.#turned);
     for (const material of [this.#clay, this.#facets]) {
-      // What casts is the side away from the light, which is dark anyway: no speckle where it grazes.
-      material.shadowSide = BackSide;
       material.polygonOffset = true;
       material.polygonOffsetFactor = material.polygonOffsetUnits = 1;
     }
@@ -106,15 +107,19 @@ export class Viewer {
     this.clear();
     this.#surface = new Surface(mesh);
     this.#body = new MeshObject(this.#surface.geometry, this.#clay);
-    this.#body.castShadow = this.#body.receiveShadow = true;
     this.#body.frustumCulled = false;
+    const { facing } = this.#surface;
+    this.#body.castShadow = true;
+    // What casts is the side away from the light, which is dark anyway: no speckle where it grazes. A sheet has no such side.
+    this.#body.receiveShadow = facing !== 'neither';
+    for (const material of [this.#clay, this.#facets]) material.shadowSide = casting[facing];
     this.#turned.add(this.#body);
     this.#zUp = up === 'z';
     this.#turned.rotation.x = this.#zUp ? -Math.PI / 2 : 0;
     this.#paint();
     this.setShading(this.#shading);
     this.#measure(mesh);
-    this.#rig.fit(1, false);
+    this.#rig.fit(this.#reach, false);
     this.#changed();
   }
 
@@ -178,7 +183,7 @@ export class Viewer {
   }
 
   fit(glide = true): void {
-    this.#rig.fit(1, glide);
+    this.#rig.fit(this.#reach, glide);
     this.#loop.invalidate();
   }
 
@@ -211,6 +216,11 @@ export class Viewer {
     this.#renderer.dispose();
   }
 
+  /** The ball to frame: what is drawn and some air, but never less than the file's own box, so that the camera mostly rests. */
+  get #reach(): number {
+    return Math.max(1, this.#surface ? 1.08 * reachOf(this.#surface.drawn) : 1);
+  }
+
   #paint(): void {
     const painted = this.#surface?.hasColors ?? false;
     for (const material of [this.#clay, this.#facets]) {
@@ -234,6 +244,7 @@ export class Viewer {
 
   #changed(): void {
     if (this.#surface) this.#stage.placeFloor(this.#surface.lowest(this.#zUp ? 2 : 1));
+    this.#rig.follow(this.#reach);
     this.#renderer.shadowMap.needsUpdate = true;
     this.#loop.invalidate();
   }

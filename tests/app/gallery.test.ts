@@ -4,10 +4,9 @@ import { writePng } from '../../src/styles/png.ts';
 import { unit } from '../../src/styles/vectors.ts';
 import { Display } from '../../web/document/display.ts';
 import { commandLine } from '../../web/document/formats.ts';
-import { measure } from '../../web/document/overlays.ts';
-import { histogram, ramp, rampColors } from '../../web/document/ramp.ts';
+import { measure } from '../../web/document/overlays/index.ts';
 import { Runner } from '../../web/document/runner.ts';
-import { startingStrength } from '../../web/document/starting-lambda.ts';
+import { startingRegularizer, startingStrength } from '../../web/document/starting-lambda.ts';
 import { Store } from '../../web/document/store.ts';
 import { Workspace } from '../../web/document/workspace.ts';
 import { stepInGrid } from '../../web/panels/grid-steps.ts';
@@ -49,6 +48,37 @@ describe('choosing a style', () => {
     expect(store.state.history.past.map(({ label }) => label)).toEqual(['Icosahedron']);
     workspace.undo();
     expect(workspace.document!.method).toBe('cubic');
+  });
+
+  it('starts a coarse mesh in flat faces with farap, all else with arap, unless one was chosen', async () => {
+    const { workspace, styles, entry } = await desk();
+    const regularizer = () => workspace.document!.parameters.regularizer;
+    await styles.choose(entry('cube'));
+    expect(regularizer()).toBe('farap');
+    await styles.choose(entry('terraced'));
+    expect(regularizer()).toBe('arap');
+    workspace.commit({ parameters: { ...workspace.document!.parameters, regularizer: 'acap' } }, 'Keeps');
+    await styles.choose(entry('cube'));
+    expect(regularizer()).toBe('acap');
+    const { map } = workspace.document!.style!;
+    expect(startingRegularizer({ vertices: 1800, components: 1 }, map)).toBe('arap');
+    expect(startingRegularizer({ vertices: 1800, components: 3 }, map)).toBe('farap');
+  });
+
+  it('stays on when another mesh is opened', async () => {
+    const { store, workspace, styles, entry, engine } = await desk();
+    await styles.choose(entry('icosahedron'));
+    await quiet(store);
+    const { parameters } = workspace.document!;
+    engine.calls.length = 0;
+    await workspace.open(Uint8Array.of(2), 'b.obj');
+    await quiet(store);
+    expect(workspace.document).toMatchObject({
+      method: 'analogy',
+      style: { source: 'icosahedron' },
+      parameters,
+    });
+    expect(engine.calls).toContain(`solve rest ${parameters.lambda}`);
   });
 
   it('keeps a strength that was chosen by hand and follows the style otherwise', async () => {
@@ -115,7 +145,7 @@ describe('choosing directions', () => {
     for (let p = 0; p < positions.length; p += 3)
       positions.set([-document.mesh.positions[p + 1]!, document.mesh.positions[p]!], p);
     const turned = { ...document, result: { ...document.result!, positions } };
-    const [before, after] = [measure(turned, 'before')!, measure(turned, 'after')!];
+    const [before, after] = [measure(turned, 'angle-before')!, measure(turned, 'angle-after')!];
     for (const [p, value] of after.values.entries()) expect(value).toBeCloseTo(before.values[p]!, 2);
   });
 });
@@ -189,30 +219,5 @@ describe('walking in the grid', () => {
     const row = boxes.map((_, k) => ({ left: 50 * k, top: 0 }));
     expect(stepInGrid(row, 2, 'ArrowDown')).toBe(3);
     expect(stepInGrid(row, 2, 'ArrowUp')).toBe(1);
-  });
-});
-
-describe('looking closer', () => {
-  it('measures angles on one scale, and movement as a share of the size', async () => {
-    const { workspace } = await desk();
-    const document = workspace.document!;
-    const [before, after] = [measure(document, 'before')!, measure(document, 'after')!];
-    expect(before.max).toBe(after.max);
-    expect(before.values.every((value) => value >= 0 && value < 60)).toBe(true);
-    // The fake engine only scales: normals stay.
-    for (const [p, value] of after.values.entries()) expect(value).toBeCloseTo(before.values[p]!, 2);
-    const lambda = document.parameters.lambda as number;
-    expect(measure(document, 'moved')!.values[1]).toBeCloseTo((100 * lambda) / Math.sqrt(3), 3);
-    expect(measure(document, 'none')).toBeNull();
-  });
-
-  it('has a ramp that only gets lighter', () => {
-    const light = Array.from({ length: 50 }, (_, k) => {
-      const { r, g, b } = ramp(k / 49);
-      return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    });
-    expect(light).toEqual([...light].sort((a, b) => a - b));
-    expect(rampColors(Float32Array.of(0, 5, 99), 5)).toHaveLength(9);
-    expect(histogram(Float32Array.of(0, 1, 2.5, 9), 5, 5)).toEqual([1, 1, 1, 0, 1]);
   });
 });

@@ -1,11 +1,13 @@
 import { describe, expect, it } from 'vitest';
+import { edgesOf } from '../../src/mesh/edges.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
-import { uniqueEdges } from '../../src/viewer/edges.ts';
 import { Morph } from '../../src/viewer/morph.ts';
 import { Pace } from '../../src/viewer/pace.ts';
 import { RenderLoop } from '../../src/viewer/render-loop.ts';
 import { Surface } from '../../src/viewer/surface.ts';
 import { frameOf } from '../../src/viewer/view-frame.ts';
+import { pipe, sail } from '../fixtures/shapes.ts';
+import { tenMeshes } from '../fixtures/ten-meshes.ts';
 import { tetrahedron } from './fake-engine.ts';
 
 /** Two triangles side by side whose common edge is stored twice, far from the origin. */
@@ -32,6 +34,24 @@ describe('a surface', () => {
     expect(normals).toEqual(Array.from({ length: 6 }, () => [0, 0, 1]).flat());
   });
 
+  it('knows where its faces look, and that a sheet has no inside', () => {
+    const turned = ({ positions, triangles }: Pick<Mesh, 'positions' | 'triangles'>): Mesh => ({
+      positions,
+      triangles: triangles.slice().reverse() as Mesh['triangles'],
+    });
+    expect(new Surface(tetrahedron()).facing).toBe('out');
+    expect(new Surface(turned(tetrahedron())).facing).toBe('in');
+    expect(new Surface(pipe(20, 30) as Mesh).facing).toBe('in');
+    expect(new Surface(turned(pipe(20, 30))).facing).toBe('out');
+    expect(new Surface(sail(12) as Mesh).facing).toBe('neither');
+    expect(new Surface(turned(sail(12))).facing).toBe('neither');
+  });
+
+  it('of every sample looks outwards', async () => {
+    for (const { name, about, mesh } of await tenMeshes())
+      if (about.startsWith('sample')) expect([name, new Surface(mesh as Mesh).facing]).toEqual([name, 'out']);
+  });
+
   it('is quick enough for every iteration', () => {
     const surface = new Surface(grid(150));
     const positions = grid(150).positions;
@@ -46,10 +66,12 @@ describe('a surface', () => {
 describe('edges', () => {
   it('are there once each, borders and seams included', () => {
     const mesh = tetrahedron();
-    expect(uniqueEdges(mesh.triangles, mesh.triangles, 4)).toHaveLength(12);
-    expect(uniqueEdges(Uint32Array.of(0, 1, 2, 1, 3, 2), Uint32Array.of(0, 1, 2, 3, 5, 4), 4)).toHaveLength(
-      10,
-    );
+    const closed = edgesOf(mesh.triangles, mesh.triangles, 4);
+    expect(closed.ends).toHaveLength(12);
+    expect([...closed.faces]).toEqual([2, 2, 2, 2, 2, 2]);
+    const seam = edgesOf(Uint32Array.of(0, 1, 2, 1, 3, 2), Uint32Array.of(0, 1, 2, 3, 5, 4), 4);
+    expect([...seam.ends]).toEqual([0, 1, 1, 2, 2, 0, 3, 5, 5, 4]);
+    expect([...seam.faces]).toEqual([1, 2, 1, 1, 1]);
   });
 });
 

@@ -1,13 +1,18 @@
 import { writeFileSync } from 'node:fs';
 import { benchmarkAgainst } from './against.ts';
+import { tabulateAngles } from './angle-table.ts';
 import { type MethodId, parseOptions } from './options.ts';
 import { type Build, type Measurement, measure } from './program.ts';
 import { describeMachine, report } from './report.ts';
 
 const resultsFile = 'wasm/bench/RESULTS.md';
 
-/** The core against the plain Eigen path, natively and as wasm, or against another state of itself. */
+/** The core against the plain Eigen path, natively and as wasm, or against another state of itself; or what styles reach. */
 export async function benchmark(args: readonly string[]): Promise<void> {
+  if (args[0] === 'angles') {
+    await tabulateAngles(args.slice(1));
+    return;
+  }
   const options = parseOptions(args);
   if (options.against) {
     await benchmarkAgainst(options.against, options);

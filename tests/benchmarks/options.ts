@@ -20,7 +20,8 @@ export const usage = `usage: npm run bench -- [METHOD …] [VERTICES …] [--qui
   VERTICES  ${sizes.join(', ')}; all unless one is named
   --quick   2562 and 22046 vertices only
   --write   keeps the tables in wasm/bench/RESULTS.md
-  --against times the working tree's wasm module against that of a commit or branch, 2562 and 22046 vertices by default`;
+  --against times the working tree's wasm module against that of a commit or branch, 2562 and 22046 vertices by default
+   or: npm run bench -- angles [--write]   how near ten meshes come to eight primitives`;
 
 const quickSizes: readonly Size[] = [2562, 22046];
 

@@ -115,6 +115,16 @@ it('takes a dropped picture of normals as a style and refuses a photo', async ()
   expect(await picture(page)).toBe(before);
 });
 
+it('puts the style on the next mesh too, here an open one, and leaves its boundary blank', async () => {
+  await openStyles();
+  await drop('#canvas', 'bowl.obj', bowl());
+  await page.waitForFunction(() => document.querySelector('.report small')?.textContent === '972 faces');
+  await chosen('Octahedron');
+  await page.locator('.measures summary').click();
+  await page.getByLabel('Curvature after').check({ force: true });
+  expect(await page.locator('.legend .blank').innerText()).toContain('boundary');
+});
+
 it('reads a concave mesh through the sphere once asked, and says why another cannot be', async () => {
   await openStyles();
   await drop('.gallery', 'peanut.obj', revolved(false));
@@ -163,6 +173,28 @@ it('colours the mesh by what it measures and says what the colours mean', async 
   await page.getByLabel('Angle after').check({ force: true });
   expect(await mean()).toBeLessThan(before);
   expect(await picture(page)).not.toBe(clay);
+  const angles = await picture(page);
+  await page.getByLabel('Curvature after').check({ force: true });
+  const ticks = () => page.locator('.legend .tick').allInnerTexts();
+  expect(await ticks()).toEqual([
+    expect.stringMatching(/^−\d/),
+    '0',
+    expect.stringMatching(/^\d+ × a ball’s$/),
+  ]);
+  expect(await page.locator('.measures figcaption').first().innerText()).toMatch(
+    /flat.*% .* before, .*% after/s,
+  );
+  expect(await picture(page)).not.toBe(angles);
+  await page.keyboard.down('b');
+  expect(await page.locator('.legend b').innerText()).toBe('Gaussian curvature, before');
+  await page.keyboard.up('b');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  expect(await page.getByLabel('Size', { exact: true }).isChecked()).toBe(true);
+  expect((await ticks())[1]).toBe('×1');
+  expect(await page.getByLabel('Strength', { exact: true }).and(page.locator('[name=overlay]')).count()).toBe(
+    0,
+  );
   await page.getByLabel('Nothing').check({ force: true });
   expect(await page.locator('.legend').count()).toBe(0);
   expect(await picture(page)).toBe(clay);
@@ -189,12 +221,34 @@ describe.each([
     expect(await violations()).toEqual([]);
     await act('paint').click();
     for (const summary of await page.locator('details > summary').all()) await summary.click();
-    await page.locator('.chips label').nth(2).click();
-    expect(await violations()).toEqual([]);
+    for (const measure of ['Angle after', 'Curvature after']) {
+      await page.locator('.chips label', { hasText: measure }).click();
+      expect(await violations()).toEqual([]);
+    }
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(overflow).toBeLessThanOrEqual(0);
   });
 });
+
+/** A half ball, open at the top, as OBJ. */
+function bowl(): Uint8Array {
+  const [around, along] = [36, 14];
+  const lines: string[] = [];
+  for (let j = 0; j < along; j++)
+    for (let i = 0; i < around; i++) {
+      const [turn, down] = [(2 * Math.PI * i) / around, (Math.PI / 2) * ((j + 1) / along)];
+      const radius = Math.sin(down);
+      lines.push(`v ${radius * Math.cos(turn)} ${-Math.cos(down)} ${radius * Math.sin(turn)}`);
+    }
+  lines.push('v 0 -1 0');
+  const at = (i: number, j: number) => j * around + (i % around) + 1;
+  for (let i = 0; i < around; i++) {
+    lines.push(`f ${around * along + 1} ${at(i, 0)} ${at(i + 1, 0)}`);
+    for (let j = 0; j + 1 < along; j++)
+      lines.push(`f ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)} ${at(i + 1, j)}`);
+  }
+  return new TextEncoder().encode(lines.join('\n'));
+}
 
 /** A waisted bottle without a hole, or a ring with one, as OBJ. */
 function revolved(isRing: boolean): Uint8Array {

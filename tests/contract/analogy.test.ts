@@ -3,12 +3,13 @@ import type { GaussMap } from '../../src/methods/gauss-map.ts';
 import { isFaceted } from '../../src/styles/faceted.ts';
 import { findPrimitive } from '../../src/styles/primitives.ts';
 import { resolveStyle, styleNames } from '../../src/styles/resolve.ts';
-import { runMethod, testCore } from '../fixtures/core.ts';
+import { testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere } from '../fixtures/meshes.ts';
+import { run } from '../fixtures/runs.ts';
 import { angleTo } from '../fixtures/surfaces.ts';
 
 const resolved = (name: string, mapping: 'auto' | 'closest' | 'spherical' = 'auto') =>
-  resolveStyle(name, mapping, async (mesh) => (await runMethod(mesh, 'spherical', {})).positions);
+  resolveStyle(name, mapping, async (mesh) => (await run(mesh, 'spherical', {})).positions);
 
 describe('styles by name', () => {
   test.each(styleNames.filter((name) => !/prism|truncated|bipyramid/.test(name)))(
@@ -17,7 +18,7 @@ describe('styles by name', () => {
       const style = await resolved(name);
       expect(style.kind).toBe(findPrimitive(name) ? 'closest' : 'sphere');
       const mesh = bunny();
-      const { positions, energy } = await runMethod(mesh, 'analogy', { style, lambda: 2 });
+      const { positions, energy } = await run(mesh, 'analogy', { style, lambda: 2 });
       for (let k = 1; k < energy.length; k++)
         expect(energy[k]!).toBeLessThanOrEqual(energy[k - 1]! + 1e-8 * energy[0]!);
       expect(energy.at(-1)!).toBeLessThan(0.95 * energy[0]!);
@@ -40,7 +41,7 @@ describe('styles by name', () => {
   test('a sphere in the style of a ball stays a ball; of a cube by either mapping it becomes one', async () => {
     const ball = icosphere(4);
     const style = await resolveStyle(ball, 'spherical', async (mesh) => mesh.positions);
-    const { positions } = await runMethod(ball, 'analogy', { style, lambda: 1 });
+    const { positions } = await run(ball, 'analogy', { style, lambda: 1 });
     const radii = Array.from({ length: positions.length / 3 }, (_, v) =>
       Math.hypot(...(positions.slice(3 * v, 3 * v + 3) as unknown as [number, number, number])),
     );
@@ -48,7 +49,7 @@ describe('styles by name', () => {
     const cube = findPrimitive('cube')!.normals;
     for (const mapping of ['closest', 'spherical'] as const) {
       const asCube = await resolved('cube', mapping);
-      const cubed = await runMethod(ball, 'analogy', { style: asCube, lambda: 4, regularizer: 'farap' });
+      const cubed = await run(ball, 'analogy', { style: asCube, lambda: 4, regularizer: 'farap' });
       expect(angleTo(cube, { ...ball, positions: cubed.positions })).toBeLessThan(6);
     }
   });
@@ -69,10 +70,10 @@ describe('λ by vertex', () => {
       ['cubic', {}],
     ] as const) {
       const limit = { ...more, maxIterations: 20 };
-      const plain = await runMethod(mesh, method, { ...limit, lambda: 0.5 });
-      const same = await runMethod(mesh, method, { ...limit, lambdaPerVertex: each(0.5) });
+      const plain = await run(mesh, method, { ...limit, lambda: 0.5 });
+      const same = await run(mesh, method, { ...limit, lambdaPerVertex: each(0.5) });
       expect(same.positions).toEqual(plain.positions);
-      const none = await runMethod(mesh, method, { ...limit, lambda: 0.5, lambdaPerVertex: each(0) });
+      const none = await run(mesh, method, { ...limit, lambda: 0.5, lambdaPerVertex: each(0) });
       none.positions.forEach((x, i) => {
         expect(Math.abs(x - mesh.positions[i]!)).toBeLessThan(1e-9);
       });
@@ -96,7 +97,7 @@ describe('on the bunny at 22046 vertices', () => {
     const mesh = bunnyLevel(2);
     const style = await resolved('icosahedron');
     for (const regularizer of ['arap', 'farap', 'acap']) {
-      const { positions, energy } = await runMethod(mesh, 'analogy', {
+      const { positions, energy } = await run(mesh, 'analogy', {
         style,
         regularizer,
         maxIterations: 60,

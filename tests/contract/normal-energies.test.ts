@@ -4,8 +4,9 @@ import { fileServices } from '../../src/engine/file-services.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import { findPrimitive } from '../../src/styles/primitives.ts';
 import { resolveStyle } from '../../src/styles/resolve.ts';
-import { runMethod, testCore } from '../fixtures/core.ts';
+import { testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, type TestMesh } from '../fixtures/meshes.ts';
+import { run } from '../fixtures/runs.ts';
 import { angleDefects, angleTo, faces, shareWithin, volumeInside } from '../fixtures/surfaces.ts';
 
 const directions = (name: string) =>
@@ -24,7 +25,7 @@ function spread(mesh: TestMesh, small: number): { flat: number; top: number } {
 describe('polycube', () => {
   test('the bunny becomes boxes: angles, area within 10°, volume (2021, §5.1)', async () => {
     const mesh = bunny();
-    const { positions } = await runMethod(mesh, 'polycube', { directions: await directions('cube') });
+    const { positions } = await run(mesh, 'polycube', { directions: await directions('cube') });
     const boxed = { ...mesh, positions };
     const axes = findPrimitive('cube')!.normals;
     expect(angleTo(axes, mesh)).toBeGreaterThan(25);
@@ -39,7 +40,7 @@ describe('polycube', () => {
     'the directions of the %s make other boxes (2021, Fig. 18)',
     async (name) => {
       const mesh = bunny();
-      const { positions } = await runMethod(mesh, 'polycube', { directions: await directions(name) });
+      const { positions } = await run(mesh, 'polycube', { directions: await directions(name) });
       const { normals } = findPrimitive(name)!;
       expect(angleTo(normals, { ...mesh, positions })).toBeLessThan(0.2 * angleTo(normals, mesh));
       expect(shareWithin(10, normals, { ...mesh, positions })).toBeGreaterThan(0.9);
@@ -82,7 +83,7 @@ describe('developable', () => {
     const before = angleDefects(mesh).map(Math.abs);
     const small = (0.2 * before.reduce((sum, value) => sum + value, 0)) / before.length;
     const was = spread(mesh, small);
-    const { positions, energy } = await runMethod(mesh, 'developable', {});
+    const { positions, energy } = await run(mesh, 'developable', {});
     expect(energy).toHaveLength(150);
     const is = spread({ ...mesh, positions }, small);
     expect(is.flat).toBeGreaterThan(was.flat + 0.15);
@@ -94,7 +95,7 @@ describe('developable', () => {
   test('fewer creases leave less curvature', async () => {
     const mesh = bunny();
     const whole = async (creases: number) => {
-      const { positions } = await runMethod(mesh, 'developable', { creases });
+      const { positions } = await run(mesh, 'developable', { creases });
       return angleDefects({ ...mesh, positions }).reduce((sum, value) => sum + Math.abs(value), 0);
     };
     const [few, some, many] = [await whole(0.1), await whole(0.5), await whole(1)];

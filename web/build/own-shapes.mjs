@@ -104,8 +104,8 @@ export function pebbleKnot({ around = 32, along = 320 } = {}) {
   for (let i = 0; i < along; i++)
     for (let j = 0; j < around; j++) {
       faces.push(
-        `3 ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)}`,
-        `3 ${at(i, j)} ${at(i + 1, j + 1)} ${at(i + 1, j)}`,
+        `3 ${at(i, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}`,
+        `3 ${at(i, j)} ${at(i + 1, j)} ${at(i + 1, j + 1)}`,
       );
     }
   return [

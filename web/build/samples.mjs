@@ -1,6 +1,6 @@
 // Makes public/samples: two CC0 meshes out of a dev dependency, decoded from Draco to plain glTF, and three of our own.
 // Run by Vite before it serves or builds, or by hand: node web/build/samples.mjs [--force]
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { normalsOf, subdivide } from './loop-subdivision.mjs';
@@ -28,14 +28,20 @@ export async function makeSamples({ force = false } = {}) {
   const stamp = join(folder, '.version');
   if (!force && existsSync(stamp) && readFileSync(stamp, 'utf8') === version) return;
   mkdirSync(folder, { recursive: true });
-  for (const { from, file, finer } of borrowed)
-    writeFileSync(join(folder, file), await decodedGlb(from, finer));
-  writeFileSync(join(folder, 'vase.obj'), openVase());
-  writeFileSync(join(folder, 'knot.ply'), pebbleKnot());
+  for (const { from, file, finer } of borrowed) keep(file, await decodedGlb(from, finer));
+  keep('vase.obj', openVase());
+  keep('knot.ply', pebbleKnot());
   const jar = roundJar();
-  writeFileSync(join(folder, 'jar.glb'), plainGlb('jar', { ...jar, normals: normalsOf(jar) }));
-  writeFileSync(join(folder, 'ATTRIBUTION.md'), attribution);
-  writeFileSync(stamp, version);
+  keep('jar.glb', plainGlb('jar', { ...jar, normals: normalsOf(jar) }));
+  keep('ATTRIBUTION.md', attribution);
+  keep('.version', version);
+}
+
+/** In one move, so that nobody who reads meanwhile gets half a file. */
+function keep(file, data) {
+  const unfinished = join(folder, `.${file}.${process.pid}`);
+  writeFileSync(unfinished, data);
+  renameSync(unfinished, join(folder, file));
 }
 
 async function decodedGlb(name, finer) {

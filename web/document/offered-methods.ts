@@ -11,7 +11,7 @@ import type { GaussMap } from '../../src/methods/gauss-map.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
 import { laid, type Picture, startingRepeat } from './pictures.ts';
-import { startingLambda, startingStrength } from './starting-lambda.ts';
+import { startingLambda, startingRegularizer, startingStrength } from './starting-lambda.ts';
 import type { Shading } from './store.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
@@ -85,7 +85,10 @@ export function startingParameters(
   for (const parameter of editableParameters(method, picture)) values[parameter.name] = parameter.default;
   if (takesPicture(method)) return picture ? { ...values, repeat: startingRepeat(picture, mesh) } : values;
   if (method.id === 'cubic') values.lambda = startingLambda(report.vertices);
-  if (method.id === 'analogy' && style) values.lambda = startingStrength(style.map);
+  if (method.id === 'analogy' && style) {
+    values.lambda = startingStrength(style.map);
+    values.regularizer = startingRegularizer(report, style.map);
+  }
   return values;
 }
 

@@ -1,3 +1,4 @@
+import type { MeshReport } from '../../src/mesh/mesh.ts';
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
 
 /** A mesh of this many vertices looks right at {@link usualLambda}. */
@@ -22,4 +23,15 @@ export function startingLambda(vertices: number): number {
  */
 export function startingStrength(map: GaussMap): number {
   return map.kind === 'closest' ? 4 : 2.5;
+}
+
+/** Below this many vertices a part has too few to bend round an edge: ARAP's resistance to it blurs a faceted style away. */
+const coarse = 1000;
+
+/** What details keep at first: where a coarse mesh meets flat faces, the triangles their shape; elsewhere ARAP, the smoothest. */
+export function startingRegularizer(
+  { vertices, components }: Pick<MeshReport, 'vertices' | 'components'>,
+  map: GaussMap,
+): 'arap' | 'farap' {
+  return map.kind === 'closest' && vertices < coarse * components ? 'farap' : 'arap';
 }

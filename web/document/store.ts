@@ -1,7 +1,7 @@
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { WhittleDocument } from './document.ts';
 import { emptyHistory, type History } from './history.ts';
-import type { Overlay } from './overlays.ts';
+import type { Overlay, OverlayName } from './overlays/index.ts';
 import { builtInPictures, type Picture } from './pictures.ts';
 import { builtIn, type StyleEntry } from './style-gallery.ts';
 
@@ -24,8 +24,6 @@ export interface Notice {
   readonly action?: { readonly label: string; readonly run: () => void };
 }
 
-/** What the colours on the mesh show; `none` is the clay or the file's own colours. */
-export type OverlayName = 'none' | 'before' | 'after' | 'moved';
 export type Shading = 'smooth' | 'flat' | 'wire';
 export type Theme = 'auto' | 'light' | 'dark';
 

@@ -175,7 +175,8 @@ export class Workspace {
     const report = await engine.inspect(mesh, { signal: task.signal });
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
-    const method = begin.method ?? offeredMethods()[0]!;
+    // What was done to the last mesh is done to the next.
+    const method = begin.method ?? findMethod(this.document?.method ?? '') ?? offeredMethods()[0]!;
     const { style, directions } = this.document ?? { style: null, directions: null };
     // A normal map inside the file comes before what was chosen for another.
     const last = normalMap || this.document?.picture?.file ? null : this.document?.picture;

@@ -1,5 +1,6 @@
 import { html, nothing } from 'lit';
-import { rampGradient } from '../document/ramp.ts';
+import { ticksOf } from '../document/overlays/scale.ts';
+import { blank as blankColor, gradient } from '../document/ramp.ts';
 import { PageElement } from './page-element.ts';
 
 /** What the colours on the mesh mean. */
@@ -7,12 +8,13 @@ export class WhittleLegend extends PageElement {
   protected override render() {
     const { overlay } = this.state;
     if (!overlay) return nothing;
-    const { title, unit, max, mean } = overlay;
+    const { title, summary, scale, blank } = overlay;
     return html`
       <div class="legend">
-        <p><b>${title}</b><span>on average ${mean.toPrecision(3)}${unit}</span></p>
-        <div class="band" style="background:${rampGradient}"></div>
-        <p class="ends"><span>0</span><span>${max}${unit}</span></p>
+        <p><b>${title}</b><span>${summary}</span></p>
+        <div class="band" style="background:${gradient(scale)}"></div>
+        <p class="ends">${ticksOf(scale).map((tick) => html`<span class="tick">${tick}</span>`)}</p>
+        ${blank ? html`<p class="blank"><span><i style="background:${blankColor.getStyle()}"></i>${blank}: no value</span></p>` : nothing}
       </div>`;
   }
 }

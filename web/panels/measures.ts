@@ -1,6 +1,8 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { histogram, ramp } from '../document/ramp.ts';
-import type { OverlayName, State } from '../document/store.ts';
+import { measuresFor, type Overlay } from '../document/overlays/index.ts';
+import { histogram, rangeOf } from '../document/overlays/scale.ts';
+import { ramp } from '../document/ramp.ts';
+import type { State } from '../document/store.ts';
 import type { Page } from '../tools/page.ts';
 import { curve } from './sparkline.ts';
 
@@ -8,44 +10,43 @@ const width = 272;
 const height = 64;
 const parts = 34;
 
-const choices: readonly { readonly name: OverlayName; readonly label: string }[] = [
-  { name: 'none', label: 'Nothing' },
-  { name: 'before', label: 'Angle before' },
-  { name: 'after', label: 'Angle after' },
-  { name: 'moved', label: 'Movement' },
-];
+const nothingChosen = { name: 'none', label: 'Nothing' } as const;
 
 /** Ways to look closer: colours on the mesh, how their values are spread, and how the energy fell. */
 export function measures(page: Page, { look, overlay, document, activity }: State): TemplateResult {
   const energy = activity.kind === 'solving' ? activity.energy : (document?.result?.energy ?? []);
+  const offered = document ? measuresFor(document) : [];
+  const chosen = offered.some(({ name }) => name === look.overlay) ? look.overlay : 'none';
   return html`
     <details class="measures">
       <summary><span>Look closer</span></summary>
       <fieldset class="chips">
         <legend>Colour the mesh by</legend>
-        ${choices.map(
+        ${[nothingChosen, ...offered].map(
           ({ name, label }) => html`
-            <label><input type="radio" name="overlay" .value=${name} .checked=${look.overlay === name} @change=${() => page.look({ overlay: name })} /><span>${label}</span></label>`,
+            <label><input type="radio" name="overlay" .value=${name} .checked=${chosen === name} @change=${() => page.look({ overlay: name })} /><span>${label}</span></label>`,
         )}
       </fieldset>
-      ${overlay ? spread(histogram(overlay.values, overlay.max, parts), `0 to ${overlay.max}${overlay.unit}`) : nothing}
+      ${overlay ? spread(overlay) : nothing}
       ${energy.length > 1 ? fall(energy) : nothing}
     </details>
   `;
 }
 
-function spread(counts: readonly number[], range: string): TemplateResult {
+function spread({ scale, values, verdict }: Overlay): TemplateResult {
+  const counts = histogram(scale, values, parts);
   const most = Math.max(...counts, 1);
-  const step = width / counts.length;
+  const step = width / parts;
+  const range = rangeOf(scale);
   return html`
     <figure>
       <svg viewBox="0 0 ${width} ${height}" role="img" aria-label="How many vertices have which value, ${range}">
         ${counts.map((count, part) => {
           const tall = (height - 2) * Math.sqrt(count / most);
-          return svg`<rect x=${part * step + 0.5} y=${height - tall} width=${step - 1} height=${tall} rx="1.5" style="fill:${ramp((part + 0.5) / counts.length).getStyle()}" />`;
+          return svg`<rect x=${part * step + 0.5} y=${height - tall} width=${step - 1} height=${tall} rx="1.5" style="fill:${ramp(scale, (part + 0.5) / parts).getStyle()}" />`;
         })}
       </svg>
-      <figcaption>Vertices by value, ${range}</figcaption>
+      <figcaption>Vertices by value, ${range}${verdict ? html`<br />${verdict}` : nothing}</figcaption>
     </figure>`;
 }
 

@@ -10,8 +10,8 @@ export function followLayout(viewer: Viewer, stage: HTMLElement, panel: HTMLElem
     stage.style.setProperty('--sheet-height', `${cover.height}px`);
     const isNarrow = matchMedia('(max-width: 760px)').matches;
     const insets = isNarrow
-      ? { top: 56, right: 0, bottom: Math.max(0, box.bottom - bar.getBoundingClientRect().top), left: 0 }
-      : { top: 40, right: Math.max(0, box.right - cover.left), bottom: 40, left: 0 };
+      ? { top: 84, right: 0, bottom: Math.max(0, box.bottom - bar.getBoundingClientRect().top), left: 0 }
+      : { top: 64, right: Math.max(0, box.right - cover.left), bottom: 48, left: 0 };
     viewer.setInsets(insets);
     viewer.resize(box.width, box.height, devicePixelRatio);
     // Where the sheet takes much more or less of a phone than before, the object moves to where it can be seen.

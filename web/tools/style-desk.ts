@@ -140,7 +140,7 @@ export class StyleDesk {
     if (!document || !method || !parameter) return;
     const parameters =
       document.method === method.id
-        ? carriedOver(document, method, style)
+        ? carriedOver(method, document, style)
         : startingParameters(method, { ...document, style });
     this.#workspace.restyle({ method: method.id, parameters, [parameter.name]: style }, style.name);
   }
@@ -172,18 +172,16 @@ function firstEntry(method: MethodDescriptor | undefined): StyleEntry {
   return styleParameter(method)?.name === 'directions' ? firstDirections : firstStyle;
 }
 
-/** A strength that the person chose stays; one that nobody touched becomes what suits the new style. */
+/** What the person chose stays; what nobody touched becomes what suits the new style. */
 function carriedOver(
-  document: WhittleDocument,
   method: MethodDescriptor,
+  document: WhittleDocument,
   style: ChosenStyle,
 ): ParameterValues {
-  const { parameters } = document;
-  const suiting = (one: ChosenStyle | null) =>
-    startingParameters(method, { ...document, style: one }).lambda!;
-  const old = styleOf(document);
-  const isUntouched = old === null || parameters.lambda === suiting(old);
-  return isUntouched ? { ...parameters, lambda: suiting(style) } : parameters;
+  const before = startingParameters(method, document);
+  const after = startingParameters(method, { ...document, style });
+  const touched = Object.entries(document.parameters).filter(([name, value]) => value !== before[name]);
+  return { ...after, ...Object.fromEntries(touched) };
 }
 
 function captureOf(bytes: Uint8Array, file: string): StyleEntry {

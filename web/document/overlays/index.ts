@@ -1,0 +1,36 @@
+import type { WhittleDocument } from '../document.ts';
+import { angleAfter, angleBefore } from './angle.ts';
+import { curvatureAfter, curvatureBefore } from './curvature.ts';
+import { growth } from './growth.ts';
+import { movement } from './movement.ts';
+import type { Measure, Overlay, OverlayName } from './overlay.ts';
+import { strength } from './strength.ts';
+
+export type { Measure, Overlay, OverlayName } from './overlay.ts';
+
+/** All ways to look closer, in the order in which the page offers them. */
+const measures: readonly Measure[] = [
+  angleBefore,
+  angleAfter,
+  curvatureBefore,
+  curvatureAfter,
+  movement,
+  growth,
+  strength,
+];
+
+/** Those that make sense of a document. */
+export function measuresFor(document: WhittleDocument): readonly Measure[] {
+  return measures.filter(({ suits }) => suits(document));
+}
+
+/**
+ * Measures a document; null where there is nothing to measure (no result yet, no style).
+ *
+ * @param comparing the file's own shape is on the screen: what has a measure of it is that one
+ */
+export function measure(document: WhittleDocument, name: OverlayName, comparing = false): Overlay | null {
+  const chosen = measures.find((one) => one.name === name);
+  const wanted = comparing && chosen?.before ? measures.find((one) => one.name === chosen.before) : chosen;
+  return wanted?.suits(document) ? wanted.of(document) : null;
+}
