@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'vite';
 import type { Core, CoreSession } from '../../src/engine/core.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
+import { findPrimitive } from '../../src/styles/primitives.ts';
 import { testCore } from '../fixtures/core.ts';
 import type { TestMesh } from '../fixtures/meshes.ts';
 import { markdownTable, percent, withSpread } from './numbers.ts';
@@ -99,7 +100,9 @@ function compare(base: Core, head: Core, method: MethodId, size: Size, reference
 }
 
 function problemOf(method: MethodId, mesh: TestMesh): ParameterValues {
-  return method === 'cubic' ? { lambda: 0.4 } : { handles: turnedEnd(mesh) };
+  if (method === 'cubic') return { lambda: 0.4 };
+  if (method === 'arap') return { handles: turnedEnd(mesh) };
+  return { lambda: 1, style: { kind: 'closest', normals: findPrimitive('cube')!.normals } };
 }
 
 /** The lowest tenth along y stays, the highest turns by 60° about y. */

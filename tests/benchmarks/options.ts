@@ -1,5 +1,5 @@
 /** Methods that the benchmark knows a problem for. */
-export const methods = ['cubic', 'arap'] as const;
+export const methods = ['cubic', 'analogy', 'arap'] as const;
 export type MethodId = (typeof methods)[number];
 
 /** Vertices of its meshes: the bunny has 22046, the others are icospheres. */
@@ -16,7 +16,7 @@ export interface Options {
 }
 
 export const usage = `usage: npm run bench -- [METHOD …] [VERTICES …] [--quick] [--write] [--against REF]
-  METHOD    ${methods.join(' or ')}; both unless one is named
+  METHOD    ${methods.join(', ')}; all unless one is named
   VERTICES  ${sizes.join(', ')}; all unless one is named
   --quick   2562 and 22046 vertices only
   --write   keeps the tables in wasm/bench/RESULTS.md

@@ -13,10 +13,20 @@ export function describeMachine({ native, wasm }: Record<Build, Measurement>): s
   return `${cpus()[0]?.model.trim()}, ${memory} GB, one thread; Node ${process.version}, native by ${native.compiler}, wasm by ${wasm.compiler}.`;
 }
 
+const problems: Readonly<Record<MethodId, string>> = {
+  cubic: 'cubic, λ 0.4',
+  analogy: 'analogy, the style of a cube, constant targets, λ 1',
+  arap: 'arap, both ends held, one of them turned by 60°',
+};
+
 /** The tables of one method. */
 export function report(method: MethodId, measurements: Measurements): string {
-  const problem = method === 'cubic' ? 'cubic, λ 0.4' : 'arap, both ends held, one of them turned by 60°';
-  const sections = [`## ${problem}`, phases(measurements), descents(measurements), between(measurements)];
+  const sections = [
+    `## ${problems[method]}`,
+    phases(measurements),
+    descents(measurements),
+    between(measurements),
+  ];
   const bunny = measurements.find(({ wasm }) => wasm.vertices === 22046);
   if (method === 'cubic' && bunny) sections.push(bunnySection(bunny));
   return sections.join('\n\n');

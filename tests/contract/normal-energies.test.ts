@@ -59,7 +59,7 @@ describe('polycube', () => {
     expect(again.positions).toEqual(first.positions);
     await expect(
       engine.solve(mesh, { ...settings, parameters: { directions: [[0, 0, 1]] } }),
-    ).rejects.toThrow(/is a list of directions, but the engine takes the style itself/);
+    ).rejects.toThrow(/is a list of directions, but the engine takes a Gauss map itself/);
     const ball = {
       kind: 'sphere',
       points: mesh.positions,

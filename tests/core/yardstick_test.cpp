@@ -71,6 +71,14 @@ struct Setup {
   Handles handles = {};
 };
 
+/// A cube's, turned so that no normal is as near to one as to another.
+Points directions() {
+  const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  Points normals(6, 3);
+  normals << turn, -turn;
+  return normals;
+}
+
 /// Starts a run of the plain alternation: acceleration `none`, without a tolerance.
 void begin(Session& session, const TriangleMesh& mesh, const Setup& setup) {
   enum { kExact, kAdmm };
@@ -80,6 +88,9 @@ void begin(Session& session, const TriangleMesh& mesh, const Setup& setup) {
   if (setup.method == "cubic") {
     REQUIRE(session.setNumber("lambda", setup.lambda).ok());
     REQUIRE(session.setNumber("localStep", setup.localStep == "admm" ? kAdmm : kExact).ok());
+  } else if (setup.method == "analogy") {
+    REQUIRE(session.setNumber("lambda", setup.lambda).ok());
+    REQUIRE(session.setStyle("style", GaussMapData{.normals = directions()}).ok());
   }
   REQUIRE(session.setNumber("acceleration", kNone).ok());
   REQUIRE(session.setNumber("tolerance", 0).ok());
@@ -149,6 +160,33 @@ TEST_CASE("yardstick: ARAP with handles goes the same way") {
     for (const int iterations : {1, 15}) {
       const Points ours = after(iterations, mesh, {"arap", 0, "", handles});
       CHECK(largestMove(ours, plainAfter(iterations, mesh, {0, handles})) < kSinglePrecision);
+    }
+  }
+}
+
+TEST_CASE("yardstick: analogies with constant targets move as in double precision, and their energy is the paper's") {
+  for (const NamedMesh& each : meshes()) {
+    CAPTURE(each.name);
+    const TriangleMesh& mesh = each.mesh;
+    for (const Handles& handles : {Handles{}, pulled(mesh)}) {
+      const PlainProblem problem{.handles = handles, .strength = 1.5, .style = directions()};
+      const Setup setup{"analogy", 1.5, "", handles};
+      CHECK(largestMove(after(15, mesh, setup), plainAfter(15, mesh, problem)) < kSinglePrecision);
+
+      Session session;
+      begin(session, mesh, setup);
+      StepReport report;
+      Points positions = mesh.positions;
+      PlainLocalGlobal plain(mesh, problem);
+      REQUIRE(plain.prepare());
+      plain.begin(positions);
+      for (int k = 0; k < 3; ++k) {
+        REQUIRE(session.step(report).ok());
+        plain.localStep(positions);
+        CHECK(report.energy == doctest::Approx(plain.energy(positions)).epsilon(1e-6));
+        plain.rightHandSide();
+        plain.solve(positions);
+      }
     }
   }
 }

@@ -1,7 +1,7 @@
 // Times the core against the yardstick on one mesh, in one process, and prints the numbers as JSON (times in ms, memory in
 // bytes).
 //
-// usage: whittle-bench cubic|arap MESH SECONDS
+// usage: whittle-bench cubic|analogy|arap MESH SECONDS
 //
 // MESH is a file as `readProblem` wants it. SECONDS bounds the long run of the core; that of the yardstick gets twice as many.
 
@@ -72,8 +72,9 @@ Json describe(const Descent& run, double lowest) {
 
 int main(int argc, char** argv) {
   const std::string method = argc == 4 ? argv[1] : "";
-  if (method != "cubic" && method != "arap") {
-    require(Status::failure(Code::badParameter, "usage: whittle-bench cubic|arap MESH SECONDS"));
+  const auto& names = problemNames();
+  if (std::find(names.begin(), names.end(), method) == names.end()) {
+    require(Status::failure(Code::badParameter, "usage: whittle-bench cubic|analogy|arap MESH SECONDS"));
   }
   const Problem problem = readProblem(method, argv[2]);
   const double seconds = std::atof(argv[3]);

@@ -46,12 +46,26 @@ Handles twist(const Points& positions) {
   return handles;
 }
 
+Points sidesOfCube() {
+  Points normals(6, 3);
+  normals << Mat3::Identity(), -Mat3::Identity();
+  return normals;
+}
+
 }  // namespace
+
+const std::vector<std::string>& problemNames() {
+  static const std::vector<std::string> names = {"cubic", "analogy", "arap"};
+  return names;
+}
 
 Problem readProblem(const std::string& method, const char* path) {
   Problem problem{method, inUnitFrame(readMesh(path)), {}};
   if (method == "cubic") {
     problem.plain.cubeness = 0.4;
+  } else if (method == "analogy") {
+    problem.plain.strength = 1;
+    problem.plain.style = sidesOfCube();
   } else {
     problem.plain.handles = twist(problem.mesh.positions);
   }
@@ -63,6 +77,10 @@ Status open(Session& session, const Problem& problem) {
   if (Status status = session.select(problem.method); !status.ok()) return status;
   if (problem.method == "cubic") {
     if (Status status = session.setNumber("lambda", problem.plain.cubeness); !status.ok()) return status;
+  } else if (problem.method == "analogy") {
+    if (Status status = session.setNumber("lambda", problem.plain.strength); !status.ok()) return status;
+    const GaussMapData style{.normals = problem.plain.style};
+    if (Status status = session.setStyle("style", style); !status.ok()) return status;
   }
   if (Status status = session.setNumber("tolerance", 0); !status.ok()) return status;
   if (Status status = session.setNumber("maxIterations", 1e6); !status.ok()) return status;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "session/session.h"
 #include "yardstick/plain_local_global.h"
@@ -14,8 +15,12 @@ struct Problem {
   PlainProblem plain;
 };
 
-/// Reads int32 vertex and face counts, float64 positions #V×3 and int32 triangles #F×3 from a file. `cubic` is at λ 0.4; for
-/// `arap` the lower tenth of the longest axis stays and the upper tenth turns. Ends the program where the file is short.
+/// The methods that there is a problem for.
+const std::vector<std::string>& problemNames();
+
+/// Reads int32 vertex and face counts, float64 positions #V×3 and int32 triangles #F×3 from a file. `cubic` is at λ 0.4,
+/// `analogy` takes the style of a cube at λ 1 with constant targets; for `arap` the lower tenth of the longest axis stays and the upper
+/// tenth turns. Ends the program where the file is short.
 Problem readProblem(const std::string& method, const char* path);
 
 /// Loads a problem into a session and chooses method and parameters; no tolerance, the default acceleration.

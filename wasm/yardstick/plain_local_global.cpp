@@ -12,6 +12,7 @@ void PlainLocalGlobal::assemble() {
   areas_ = barycentricAreas(rest_.positions, rest_.triangles);
   normals_ = vertexNormals(rest_.positions, rest_.triangles);
   listHalfEdges();
+  if (problem_.strength > 0) lookUpTargets();
   assembleSystem();
   splitSystem();
 }
@@ -45,6 +46,17 @@ void PlainLocalGlobal::listHalfEdges() {
   for (const auto& edges : ofVertex) {
     halfEdges_.insert(halfEdges_.end(), edges.begin(), edges.end());
     start_.push_back(static_cast<Index>(halfEdges_.size()));
+  }
+}
+
+void PlainLocalGlobal::lookUpTargets() {
+  pulls_ = problem_.strength * mixedVoronoiAreas(rest_.positions, rest_.triangles);
+  targets_.resize(rest_.vertexCount(), 3);
+  for (Index i = 0; i < rest_.vertexCount(); ++i) {
+    Index closest;
+    (problem_.style * normals_.row(i).transpose()).maxCoeff(&closest);
+    targets_.row(i) = problem_.style.row(closest);
+    if (normals_.row(i).isZero(0)) pulls_[i] = 0;
   }
 }
 
@@ -118,6 +130,7 @@ void PlainLocalGlobal::localStep(const Points& positions) {
       const HalfEdge& edge = halfEdges_[e];
       M += 2 * edge.c * edge.d * (positions.row(edge.to) - positions.row(edge.from));
     }
+    if (pulls_.size() > 0) M += 2 * pulls_[i] * normals_.row(i).transpose() * targets_.row(i);
     const double weight = problem_.cubeness * areas_[i];
     const Mat3 R =
         weight > 0 ? plainCubic(M, normals_.row(i).transpose(), weight, problem_.admm, admm_[i]) : plainRotation(M);
@@ -152,7 +165,9 @@ double PlainLocalGlobal::energy(const Points& positions) const {
       const Vec3 u = (positions.row(edge.to) - positions.row(edge.from)).transpose();
       sum += edge.c * (R * edge.d - u).squaredNorm();
     }
-    sum += problem_.cubeness * areas_[i] * (R * normals_.row(i).transpose()).lpNorm<1>();
+    const Vec3 n = R * normals_.row(i).transpose();
+    sum += problem_.cubeness * areas_[i] * n.lpNorm<1>();
+    if (pulls_.size() > 0) sum += pulls_[i] * (n - targets_.row(i).transpose()).squaredNorm();
   }
   return sum;
 }

@@ -13,12 +13,14 @@
 namespace whittle {
 
 struct PlainProblem {
-  double cubeness = 0;  // λ; 0 is as-rigid-as-possible
+  double cubeness = 0;   // λ of cubic stylization; 0 is as-rigid-as-possible
   Handles handles = {};  // in the frame of the mesh
   AdmmConstants admm = {};
+  double strength = 0;          // λ of an analogy with constant targets: for each normal of the rest shape the closest of `style`
+  Points style = Points(0, 3);  // unit normals
 };
 
-/// Cubic stylization and ARAP with spokes and rims as one would write them down from the papers: double precision, a
+/// Cubic stylization, analogies and ARAP with spokes and rims as one would write them down from the papers: double precision, a
 /// singular value decomposition per vertex and fit, Eigen's Cholesky factorization, plain alternation. Every phase is a
 /// call of its own, for the caller to time. Meshes come in the unit frame.
 class PlainLocalGlobal {
@@ -47,7 +49,7 @@ class PlainLocalGlobal {
   void solve(Points& positions);
   void iterate(Points& positions);
 
-  /// Σ_i [ Σ_{e∈N(i)} c_e |R_i d_e − u_e|² + λ a_i |R_i n_i|₁ ] with the rotations of the last local step.
+  /// Σ_i [ Σ_{e∈N(i)} c_e |R_i d_e − u_e|² + λ a_i |R_i n_i|₁ ], or + λ A_i |R_i n_i − t_i|², with the rotations of the last local step.
   double energy(const Points& positions) const;
 
  private:
@@ -59,6 +61,7 @@ class PlainLocalGlobal {
   };
 
   void listHalfEdges();
+  void lookUpTargets();
   void assembleSystem();
   void splitSystem();
 
@@ -68,6 +71,8 @@ class PlainLocalGlobal {
   // Of the rest shape
   Scalars areas_;                    // #V, barycentric
   Points normals_;                   // #V×3
+  Scalars pulls_;                    // #V, λ A_i with mixed Voronoi areas; empty without a style
+  Points targets_;                   // #V×3, t_i
   std::vector<Index> start_;         // #V + 1, into halfEdges_
   std::vector<HalfEdge> halfEdges_;  // the edges of all faces of vertex 0, of vertex 1, …
   Eigen::SparseMatrix<double, Eigen::RowMajor, Index> rightHandSideOf_;  // K, #V×3#V: B = K [R_0ᵀ; R_1ᵀ; …]

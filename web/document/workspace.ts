@@ -12,7 +12,7 @@ import {
   withShaping,
 } from './document.ts';
 import { amend, record, redo, undo } from './history.ts';
-import { offeredMethods, solverParameters, startingParameters } from './offered-methods.ts';
+import { offeredMethods, solverParameters, startingParameters, styleParameter } from './offered-methods.ts';
 import type { Picture } from './pictures.ts';
 import { isWorkerLost, type Runner, type Task } from './runner.ts';
 import type { Store } from './store.ts';
@@ -175,8 +175,9 @@ export class Workspace {
     const report = await engine.inspect(mesh, { signal: task.signal });
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
-    // What was done to the last mesh is done to the next.
-    const method = begin.method ?? findMethod(this.document?.method ?? '') ?? offeredMethods()[0]!;
+    // A style is put on the next mesh too; other methods may not suit it.
+    const before = findMethod(this.document?.method ?? '');
+    const method = begin.method ?? (styleParameter(before) ? before! : offeredMethods()[0]!);
     const { style, directions } = this.document ?? { style: null, directions: null };
     // A normal map inside the file comes before what was chosen for another.
     const last = normalMap || this.document?.picture?.file ? null : this.document?.picture;
