@@ -1,11 +1,30 @@
 import { describe, expect, test } from 'vitest';
+import type { CoreSession } from '../../src/engine/core.ts';
+import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import type { GaussMap } from '../../src/methods/gauss-map.ts';
 import { isFaceted } from '../../src/styles/faceted.ts';
 import { findPrimitive } from '../../src/styles/primitives.ts';
 import { resolveStyle, styleNames } from '../../src/styles/resolve.ts';
 import { testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere, type TestMesh } from '../fixtures/meshes.ts';
-import { run } from '../fixtures/runs.ts';
+
+/** One run of a method to its end. */
+async function run(mesh: TestMesh, method: string, parameters: ParameterValues) {
+  const session: CoreSession = (await testCore()).open();
+  session.load(mesh.positions, mesh.triangles);
+  session.configure(method, parameters);
+  session.prepare();
+  const energy: number[] = [];
+  for (let outcome = 'running'; outcome === 'running'; ) {
+    const step = session.step();
+    energy.push(step.energy);
+    outcome = step.outcome;
+  }
+  const positions = new Float64Array(mesh.positions.length);
+  session.copyPositions(positions);
+  session.free();
+  return { positions, energy };
+}
 
 const resolved = (name: string, mapping: 'auto' | 'closest' | 'spherical' = 'auto') =>
   resolveStyle(name, mapping, async (mesh) => (await run(mesh, 'spherical', {})).positions);

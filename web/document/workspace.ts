@@ -11,7 +11,7 @@ import {
   withShaping,
 } from './document.ts';
 import { amend, record, redo, undo } from './history.ts';
-import { offeredMethods, solverParameters, startingParameters } from './offered-methods.ts';
+import { offeredMethods, solverParameters, startingParameters, takesStyle } from './offered-methods.ts';
 import { isWorkerLost, type Runner, type Task } from './runner.ts';
 import type { Store } from './store.ts';
 
@@ -162,8 +162,9 @@ export class Workspace {
     const report = await engine.inspect(mesh, { signal: task.signal });
     if (warnings.length > 0 && task.current())
       this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
-    // What was done to the last mesh is done to the next.
-    const method = findMethod(this.document?.method ?? '') ?? offeredMethods()[0]!;
+    // A style is put on the next mesh too; other methods may not suit it.
+    const before = findMethod(this.document?.method ?? '');
+    const method = before && takesStyle(before) ? before : offeredMethods()[0]!;
     const style = this.document?.style ?? null;
     const parameters = startingParameters(method, { report, style });
     return {

@@ -133,7 +133,7 @@ export class StyleDesk {
     const { report } = document;
     const parameters =
       document.method === method.id
-        ? carriedOver(method, document, style)
+        ? carriedOver(document, method, style)
         : startingParameters(method, { report, style });
     this.#workspace.restyle({ method: method.id, parameters, style }, style.name);
   }
@@ -163,8 +163,8 @@ export class StyleDesk {
 
 /** What the person chose stays; what nobody touched becomes what suits the new style. */
 function carriedOver(
-  method: MethodDescriptor,
   document: WhittleDocument,
+  method: MethodDescriptor,
   style: ChosenStyle,
 ): ParameterValues {
   const before = startingParameters(method, document);
