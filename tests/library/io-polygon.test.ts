@@ -1,3 +1,4 @@
+import { cpuUsage } from 'node:process';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { triangulate } from '../../src/io/polygon.ts';
@@ -204,8 +205,8 @@ describe('giant polygons', () => {
     ['a saw', (i: number) => 1 + (i % 7) / 10],
   ] as const)('%s: 100 000 corners in a second', (_, radius) => {
     const points = circle(n, radius);
-    const start = performance.now();
+    const start = cpuUsage();
     expect(split(points).triangles).toHaveLength(3 * (n - 2));
-    expect(performance.now() - start).toBeLessThan(2000);
+    expect(cpuUsage(start).user / 1000).toBeLessThan(2000);
   });
 });
