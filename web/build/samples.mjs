@@ -7,7 +7,7 @@ import { normalsOf, subdivide } from './loop-subdivision.mjs';
 import { openVase, pebbleKnot, roundJar } from './own-shapes.mjs';
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), '../../public/samples');
-const version = '3';
+const version = '4';
 
 const borrowed = [
   { from: 'bunny', file: 'rabbit.glb', finer: true },
