@@ -56,6 +56,8 @@ VertexRings::VertexRings(const TriangleMesh& rest, const CornerScalars& halfCota
 void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& halfCotangents) {
   const Index vertexCount = rest.vertexCount();
   const Fans fans(rest.triangles, vertexCount);
+  std::vector<Mat3> gradients(rest.faceCount());
+  for (Index f = 0; f < rest.faceCount(); ++f) gradients[f] = cornerGradients(rest, halfCotangents, f) / kVisits;
   std::vector<Index> place(vertexCount, -1);  // of a vertex in the lists, if it is in this ring
   std::vector<Vec3> ring;
   start_.assign(1, 0);
@@ -65,7 +67,7 @@ void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& ha
     ring.clear();
     for (Index p = fans.start[k]; p < fans.start[k + 1]; ++p) {
       const Index f = fans.faces[p];
-      const Mat3 g = cornerGradients(rest, halfCotangents, f) / kVisits;
+      const Mat3& g = gradients[f];
       for (int corner = 0; corner < 3; ++corner) {
         const Index j = rest.triangles(f, corner);
         if (j == k) continue;
