@@ -21,12 +21,13 @@ if(EMSCRIPTEN)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpversion OUTPUT_VARIABLE WHITTLE_EMSCRIPTEN_VERSION
                   OUTPUT_STRIP_TRAILING_WHITESPACE)
   # Clang 14's SLP vectorizer miscompiled double-precision code for wasm SIMD; the hot kernels are vectorized by hand.
-  target_compile_options(whittle_options INTERFACE -O3 -msimd128 -fno-slp-vectorize)
+  # Bulk memory: filling and copying by the engine instead of loops; whatever runs SIMD has it.
+  target_compile_options(whittle_options INTERFACE -O3 -msimd128 -mbulk-memory -fno-slp-vectorize)
   # Newer versions default to 64 KB, in which Eigen's temporaries do not fit.
   if(WHITTLE_EMSCRIPTEN_VERSION VERSION_LESS 3.1.27)
     set(WHITTLE_STACK -sTOTAL_STACK=1MB)
   else()
     set(WHITTLE_STACK -sSTACK_SIZE=1MB)
   endif()
-  set(WHITTLE_WASM_LINK -O3 -sALLOW_MEMORY_GROWTH=1 -sMEMORY_GROWTH_LINEAR_STEP=4MB -sINITIAL_MEMORY=64MB -sMAXIMUM_MEMORY=4GB ${WHITTLE_STACK})
+  set(WHITTLE_WASM_LINK -O3 -mbulk-memory -sALLOW_MEMORY_GROWTH=1 -sMEMORY_GROWTH_LINEAR_STEP=4MB -sINITIAL_MEMORY=64MB -sMAXIMUM_MEMORY=4GB ${WHITTLE_STACK})
 endif()

@@ -91,9 +91,9 @@ void packTiles(const double* panel, Index height, Index columns, TileColumn* til
 void panelForward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
   std::copy_n(rhs + panel.rows[0], panel.columns, scratch);
   const Index tileCount = panel.tileCount();
+  // Two at a time: of a third the sums no longer fit into the registers that a browser has.
   Index tile = 0;
-  for (; tile + 2 < tileCount; tile += 3) forwardTiles<3>(panel, tile, scratch, rhs);
-  if (tile + 1 < tileCount) forwardTiles<2>(panel, tile, scratch, rhs), tile += 2;
+  for (; tile + 1 < tileCount; tile += 2) forwardTiles<2>(panel, tile, scratch, rhs);
   if (tile < tileCount) forwardTiles<1>(panel, tile, scratch, rhs);
 }
 
@@ -101,9 +101,7 @@ void panelBackward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
   gatherTiles(panel, rhs, scratch);
   LaneRow* own = rhs + panel.rows[0];
   Index j = 0;
-  for (; j + 3 < panel.columns; j += 4) backwardColumns<4>(panel, j, scratch, own);
-  if (j + 2 < panel.columns) backwardColumns<3>(panel, j, scratch, own), j += 3;
-  if (j + 1 < panel.columns) backwardColumns<2>(panel, j, scratch, own), j += 2;
+  for (; j + 1 < panel.columns; j += 2) backwardColumns<2>(panel, j, scratch, own);
   if (j < panel.columns) backwardColumns<1>(panel, j, scratch, own);
 }
 

@@ -104,7 +104,7 @@ void LocalGlobal::begin(Points& positions) {
   acceleration_.begin(localStep_->followsOutput() ? Acceleration::Kind::none : accelerationKind_);
   energy_ = std::numeric_limits<double>::infinity();
   localStep_->begin();
-  std::fill(rotations_.begin(), rotations_.end(), identityRotations());
+  for (auto* rotations : {&guess_, &rotations_}) std::fill(rotations->begin(), rotations->end(), identityRotations());
   applyHandles(handles_, positions);
 }
 
@@ -116,13 +116,13 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   guess_.swap(rotations_);
   const bool extrapolated = acceleration_.extrapolate(positions, previous_);
   if (localStep_->followsOutput()) energy_ = std::numeric_limits<double>::infinity();
-  report.energy = localStep(acceleration_.start(), false);
+  report.energy = localStep(acceleration_.start(), Guess::continued);
   if (extrapolated && !(report.energy <= energy_)) {
     acceleration_.reject(positions);
-    report.energy = localStep(positions, false);
+    report.energy = localStep(positions, Guess::last);
   }
   // Not from an exact local step, but ADMM stops within its tolerance and, for strong pulls, at local maxima.
-  if (report.energy > energy_ + kRounding * std::abs(energy_)) report.energy = localStep(positions, true);
+  if (report.energy > energy_ + kRounding * std::abs(energy_)) report.energy = localStep(positions, Guess::bound);
   energy_ = report.energy;
   previous_.swap(positions);
   globalStep(acceleration_.start(), positions);
@@ -136,7 +136,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   return {};
 }
 
-double LocalGlobal::localStep(const Points& positions, bool neverWorse) {
+double LocalGlobal::localStep(const Points& positions, Guess guess) {
   localStep_->observe(positions);
   std::fill(residual_.begin(), residual_.end(), LaneRow{});
   double energy = edges_->restEnergy() + localStep_->pullEnergy();
@@ -144,19 +144,19 @@ double LocalGlobal::localStep(const Points& positions, bool neverWorse) {
   for (Index first = 0; first < count; first += kBlock) {
     const ElementRange block{first, std::min(first + kBlock, count)};
     energy += edges_->gatherCovariances(positions, block, covariances_.data(), residual_);
-    energy += fitBlock(block, neverWorse);
+    energy += fitBlock(block, guess);
     edges_->addSimilar(rotations_, scales_ ? scales_->growths() : kNoGrowths, block, residual_);
   }
   return energy;
 }
 
-double LocalGlobal::fitBlock(ElementRange block, bool neverWorse) {
+double LocalGlobal::fitBlock(ElementRange block, Guess guess) {
   double energy = 0;
   for (std::size_t b = block.firstBatch(); b < block.endBatch(); ++b) {
     CovarianceLanes& M = covariances_[b - block.firstBatch()];
-    rotations_[b] = guess_[b];
+    rotations_[b] = guess == Guess::continued ? continued(guess_[b], rotations_[b]) : guess_[b];
     localStep_->pull(b, M);
-    const Lanes regularizers = localStep_->fit(b, ScaledCovariances(M), neverWorse, rotations_[b]);
+    const Lanes regularizers = localStep_->fit(b, ScaledCovariances(M), guess == Guess::bound, rotations_[b]);
     const DoubleLanes gains = traces(rotations_[b], M);
     energy += sumOf(toDouble(regularizers) - gains);
     if (scales_) energy += scales_->fit(b, gains);

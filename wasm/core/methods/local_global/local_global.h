@@ -41,11 +41,17 @@ class LocalGlobal : public Method {
   void prepareRestShape(const TriangleMesh& rest, Rigidity rigidity);
   void claimRunningState();
   Status prepareSystem(const Handles& handles);
-  /// Fits the rotations to the positions, on demand none of them worse than it was, and leaves the residual of the global step; returns
-  /// the energy.
-  double localStep(const Points& positions, bool neverWorse);
+  /// Where the rotations of a local step start from.
+  enum class Guess {
+    continued,  // they go on as they last turned, which leaves the fit about half as many steps; only of an iteration's first local step
+    last,       // those of the iteration before
+    bound,      // the same, and none may get worse than it was
+  };
+
+  /// Fits the rotations to the positions and leaves the residual of the global step; returns the energy.
+  double localStep(const Points& positions, Guess guess);
   /// The same for elements whose covariances are there; returns what the rotations change in the energy.
-  double fitBlock(ElementRange block, bool neverWorse);
+  double fitBlock(ElementRange block, Guess guess);
   /// Moves `from` to the minimum for the rotations.
   void globalStep(const Points& from, Points& positions);
   /// The longest move of a vertex as a share of the longest way from rest. Of an accelerated iteration both moves must be
