@@ -54,7 +54,7 @@ Solved solve(const std::vector<PolyhedralVertex>& vertices, const Polyhedron& po
   QuaternionLanes climbed = rotations;
   const LaneMask certified = climbPolyhedral(lanes.M, lanes.n, lanes.weights.x, polyhedron, u, climbed).certified;
   PolyhedralExact solver(polyhedron);
-  solver.begin(1, {});
+  solver.begin(1);
   const Lanes regularizers = scaled.scale * solver.solve(0, lanes, rotations);
   Solved result;
   for (int lane = 0; lane < 4; ++lane) {

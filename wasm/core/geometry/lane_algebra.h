@@ -102,13 +102,25 @@ inline MatrixLanes toMatrix(const QuaternionLanes& q) {
   return R;
 }
 
+inline QuaternionLanes normalized(const QuaternionLanes& q) {
+  const Lanes s = splat(1) / squareRoot(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {s * q.w, s * q.x, s * q.y, s * q.z};
+}
+
+inline QuaternionLanes inverse(const QuaternionLanes& q) { return {q.w, -q.x, -q.y, -q.z}; }
+
+/// The rotation a after b.
+inline QuaternionLanes operator*(const QuaternionLanes& a, const QuaternionLanes& b) {
+  return {a.w * b.w - (a.x * b.x + a.y * b.y + a.z * b.z), a.w * b.x + a.x * b.w + (a.y * b.z - a.z * b.y),
+          a.w * b.y + a.y * b.w + (a.z * b.x - a.x * b.z), a.w * b.z + a.z * b.w + (a.x * b.y - a.y * b.x)};
+}
+
 /// The rotation by 2 atan(|w|/2) about w after q: the Cayley transform of w, equal to exp([w]×) to third order.
 inline QuaternionLanes turned(const QuaternionLanes& q, const VectorLanes& w) {
   const VectorLanes h = splat(0.5f) * w;
   const QuaternionLanes t{q.w - (h.x * q.x + h.y * q.y + h.z * q.z), q.x + h.x * q.w + (h.y * q.z - h.z * q.y),
                           q.y + h.y * q.w + (h.z * q.x - h.x * q.z), q.z + h.z * q.w + (h.x * q.y - h.y * q.x)};
-  const Lanes s = splat(1) / squareRoot(t.w * t.w + t.x * t.x + t.y * t.y + t.z * t.z);
-  return {s * t.w, s * t.x, s * t.y, s * t.z};
+  return normalized(t);
 }
 
 inline MatrixLanes toSingle(const CovarianceLanes& M) {
