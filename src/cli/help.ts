@@ -69,7 +69,7 @@ function valueHelp(parameter: ParameterDescriptor): ValueHelp {
       return { value: '', range: `alone for true, or =true, =false; default ${parameter.default}` };
     case 'vector': {
       const { min, max, default: usual } = parameter;
-      return { value: usual.map(() => 'NUMBER').join(), range: `${min} to ${max}, default ${usual.join()}` };
+      return { value: usual.map(() => 'N').join(), range: `${min} to ${max}, default ${usual.join()}` };
     }
     case 'rotation':
       return {
