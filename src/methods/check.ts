@@ -116,10 +116,13 @@ function choiceProblem({ choices, maxRows = 0 }: ChoiceParameter, value: unknown
 }
 
 function vectorProblem({ default: usual, min, max }: VectorParameter, value: unknown): string | undefined {
-  const isNumber = (entry: unknown): boolean =>
-    Number.isFinite(entry) && (entry as number) >= min && (entry as number) <= max;
-  if (Array.isArray(value) && value.length === usual.length && value.every(isNumber)) return undefined;
+  const isRight = Array.isArray(value) && value.length === usual.length && value.every(isWithin(min, max));
+  if (isRight) return undefined;
   return `must be ${usual.length} numbers from ${min} to ${max}, such as [${usual.join(', ')}], not ${show(value)}.`;
+}
+
+function isWithin(min: number, max: number): (entry: unknown) => boolean {
+  return (entry) => Number.isFinite(entry) && (entry as number) >= min && (entry as number) <= max;
 }
 
 const quaternion = 'a quaternion [x, y, z, w] of finite numbers, not all of them zero';
@@ -136,8 +139,8 @@ function regionsProblem(value: unknown): string | undefined {
     if (!Array.isArray(vertices)) return `${shape}; region ${index} has no list of vertices.`;
     const [stranger] = Object.keys(rest);
     if (stranger !== undefined) return `${shape}; region ${index} has an entry “${stranger}” too many.`;
-    const what = verticesProblem(vertices);
-    if (what !== undefined) return `${what.slice(0, -1)} of region ${index}.`;
+    const what = verticesProblem(vertices, ` of region ${index}`);
+    if (what !== undefined) return what;
     if (!isQuaternion(orientation))
       return `must have as orientation ${quaternion}; that of region ${index} is ${show(orientation)}.`;
   }
@@ -148,9 +151,8 @@ function scalarsProblem({ min, max }: ScalarsParameter, value: unknown): string 
   if (!Array.isArray(value) && !(value instanceof Float64Array)) {
     return `must be a list of numbers from ${min} to ${max}, one for each vertex, not ${show(value)}.`;
   }
-  const isNumber = (entry: unknown): boolean =>
-    Number.isFinite(entry) && (entry as number) >= min && (entry as number) <= max;
-  const bad = (value as readonly unknown[]).findIndex((entry) => !isNumber(entry));
+  const isRight = isWithin(min, max);
+  const bad = (value as readonly unknown[]).findIndex((entry) => !isRight(entry));
   return bad < 0
     ? undefined
     : `must hold numbers from ${min} to ${max}; entry ${bad} is ${show(value[bad])}.`;
@@ -205,10 +207,10 @@ function handlesProblem(value: unknown): string | undefined {
   return undefined;
 }
 
-function verticesProblem(vertices: readonly unknown[]): string | undefined {
+function verticesProblem(vertices: readonly unknown[], where = ''): string | undefined {
   const bad = vertices.findIndex((vertex) => !Number.isInteger(vertex) || (vertex as number) < 0);
   if (bad < 0) return undefined;
-  return `must name vertices by whole numbers from 0; entry ${bad} is ${show(vertices[bad])}.`;
+  return `must name vertices by whole numbers from 0; entry ${bad}${where} is ${show(vertices[bad])}.`;
 }
 
 function isPoint(value: unknown, size = 3): value is readonly number[] {

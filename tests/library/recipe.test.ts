@@ -87,7 +87,7 @@ const refused: [string, string, RegExp][] = [
   [
     step('{"method": "cubic", "frames": [{"vertices": [0, 1.5], "orientation": [0, 0, 0, 1]}]}'),
     'bad-parameter',
-    /entry 1 is 1\.5 of region 0/,
+    /entry 1 of region 0 is 1\.5/,
   ],
   [
     step('{"method": "cubic", "frames": [{"vertices": [], "orientation": [1]}]}'),

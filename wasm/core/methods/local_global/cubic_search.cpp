@@ -133,7 +133,9 @@ class CellSearch {
 
   void offerCellAt(const Vec3& direction, Best& best) {
     unsigned pattern = 0;  // of the signs that `pulledAt` sees
-    for (Index j = 0; j < vertex_.polyhedron.rowCount; ++j) pattern |= unsigned{!std::signbit(vertex_.polyhedron.rows[j].dot(direction))} << j;
+    for (Index j = 0; j < vertex_.polyhedron.rowCount; ++j) {
+      pattern |= unsigned{!std::signbit(vertex_.polyhedron.rows[j].dot(direction))} << j;
+    }
     if (seen_[pattern]) return;
     seen_[pattern] = true;
     const Vec3 s = (fitRotation(vertex_.pulledAt(direction), guess_) * vertex_.n).normalized();
