@@ -1,4 +1,4 @@
-import type { MethodDescriptor, ParameterDescriptor } from '../methods/descriptor.ts';
+import type { ChoiceParameter, MethodDescriptor, ParameterDescriptor } from '../methods/descriptor.ts';
 import { methods } from '../methods/registry.ts';
 import { flagOf } from './command.ts';
 
@@ -44,7 +44,18 @@ function parameterHelp(parameter: ParameterDescriptor): string {
   return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(33)}${range}\n      ${parameter.doc}\n`;
 }
 
-function valueHelp(parameter: ParameterDescriptor): { value: string; range: string } {
+interface ValueHelp {
+  readonly value: string;
+  readonly range: string;
+}
+
+function choiceHelp({ choices, maxRows, default: usual }: ChoiceParameter): ValueHelp {
+  const range = `${choices.join(' | ')}, default ${usual}`;
+  if (!maxRows) return { value: 'NAME', range };
+  return { value: 'NAME|FILE.json', range: `${range}; a FILE.json lists ${maxRows} rows [x, y, z] at most` };
+}
+
+function valueHelp(parameter: ParameterDescriptor): ValueHelp {
   switch (parameter.kind) {
     case 'number':
     case 'integer': {
@@ -53,9 +64,23 @@ function valueHelp(parameter: ParameterDescriptor): { value: string; range: stri
       return { value: parameter.kind === 'number' ? 'NUMBER' : 'COUNT', range };
     }
     case 'choice':
-      return { value: 'NAME', range: `${parameter.choices.join(' | ')}, default ${parameter.default}` };
+      return choiceHelp(parameter);
     case 'flag':
       return { value: '', range: `alone for true, or =true, =false; default ${parameter.default}` };
+    case 'vector': {
+      const { min, max, default: usual } = parameter;
+      return { value: usual.map(() => 'N').join(), range: `${min} to ${max}, default ${usual.join()}` };
+    }
+    case 'rotation':
+      return {
+        value: 'X,Y,Z,W',
+        range: `a quaternion of any length but 0, default ${parameter.default.join()}`,
+      };
+    case 'rotations':
+      return {
+        value: 'FILE.json',
+        range: '[{"vertices": [0, …], "orientation": [x, y, z, w]}, …], default none',
+      };
     case 'scalars':
       return {
         value: 'FILE.json',

@@ -19,14 +19,14 @@ export async function readParameters(
   const values: Record<string, unknown> = {};
   for (const descriptor of method.parameters) {
     const text = typed.get(descriptor.name);
-    if (text === undefined || isFile(descriptor)) continue;
+    if (text === undefined || isFile(descriptor, text)) continue;
     values[descriptor.name] = plainValue(descriptor, text);
     const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
     if (problem) throw new UsageError(`--${flagOf(descriptor.name)}: ${problem.message}`);
   }
   for (const descriptor of method.parameters) {
     const file = typed.get(descriptor.name);
-    if (file === undefined || !isFile(descriptor)) continue;
+    if (file === undefined || !isFile(descriptor, file)) continue;
     values[descriptor.name] = parseJson(await readText(file), file);
     const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
     if (problem) throw new WhittleError(problem.code, `${file}: ${problem.message}`);
@@ -35,14 +35,16 @@ export async function readParameters(
   return values as ParameterValues;
 }
 
-/** Parameters that are typed as the name of a JSON file. */
-export function isFile({ kind }: ParameterDescriptor): boolean {
-  return kind === 'handles' || kind === 'scalars';
+/** Whether what was typed is the name of a JSON file. */
+function isFile(descriptor: ParameterDescriptor, text: string): boolean {
+  if (descriptor.kind === 'choice') return Boolean(descriptor.maxRows) && /\.json$/i.test(text);
+  return ['handles', 'scalars', 'rotations'].includes(descriptor.kind);
 }
 
 /** What does not look right stays text, for the check to quote. */
-function plainValue({ kind }: ParameterDescriptor, text: string): number | boolean | string {
+function plainValue({ kind }: ParameterDescriptor, text: string): unknown {
   if (kind === 'flag') return text === 'true' || text === 'false' ? text === 'true' : text;
+  if (kind === 'vector' || kind === 'rotation') return text.split(',').map(numberOf);
   return kind === 'number' || kind === 'integer' ? numberOf(text) : text;
 }
 

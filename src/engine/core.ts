@@ -18,8 +18,8 @@ export interface Step {
 export interface CoreSession {
   /** Validates and takes a welded mesh (#V×3, #F×3); forgets all that was there. */
   load(positions: Float64Array, triangles: Uint32Array): MeshReport;
-  /** Chooses a method and its parameters (absent: default); handles and numbers by vertex are those of welded
-   *  vertices, a style is a Gauss map, a picture a relief. Keeps the current positions. */
+  /** Chooses a method and its parameters (absent: default); handles, numbers and quaternions (x y z w) by vertex are those of
+   *  welded vertices, a style is a Gauss map, a picture a relief. Keeps the current positions. */
   configure(method: string, parameters: ParameterValues): void;
   /** Goes back to the rest positions. */
   restart(): void;
@@ -38,11 +38,13 @@ export interface CoreParameter {
   readonly kind: string;
   readonly invalidates: string;
   /** Of a choice, the name. */
-  readonly default?: number | string | boolean;
+  readonly default?: number | string | boolean | readonly number[];
   readonly min?: number;
   readonly max?: number;
   /** Names of a choice; it crosses to the core as the index of one. */
   readonly choices?: readonly string[];
+  /** How many rows of a matrix it takes at most in place of a name. */
+  readonly maxRows?: number;
 }
 
 export interface Core {
@@ -194,16 +196,20 @@ class WasmSession implements CoreSession {
       const given = parameters[parameter.name];
       if (parameter.kind === 'handles') {
         this.#setHandles(given as Handles | undefined);
-      } else if (parameter.kind === 'scalars') {
+      } else if (parameter.kind === 'scalars' || parameter.kind === 'rotations') {
         this.#setScalars(parameter.name, given as Scalars | undefined);
+      } else if (parameter.kind === 'vector' || parameter.kind === 'rotation') {
+        this.#setScalars(parameter.name, (given ?? parameter.default) as Scalars);
       } else if (parameter.kind === 'style') {
         this.#setStyle(parameter.name, given as GaussMap | undefined);
       } else if (parameter.kind === 'relief') {
         this.#setRelief(parameter.name, given as Relief | undefined);
       } else {
-        const value = given ?? parameter.default;
+        const isMatrix = Array.isArray(given);
+        const value = (isMatrix ? undefined : given) ?? parameter.default;
         const index = parameter.choices?.indexOf(String(value)); // -1 is outside the range: the core refuses it
         this.#setNumber(parameter.name, index ?? Number(value));
+        if (parameter.maxRows) this.#setScalars(parameter.name, isMatrix ? (given.flat() as number[]) : []);
       }
     }
   }

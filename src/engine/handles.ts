@@ -5,16 +5,18 @@ import type {
   Handles,
   MethodDescriptor,
   ParameterValues,
+  Regions,
   Scalars,
 } from '../methods/descriptor.ts';
+import { weldRegions } from './regions.ts';
 
 type Point = Handles['targets'][number];
 
 /**
- * Parameters as the core takes them: handles and numbers by vertex are those of welded vertices, everything else stays.
+ * Parameters as the core takes them: handles, numbers by vertex and regions are those of welded vertices, everything else stays.
  *
  * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place;
- *   `bad-parameter`: more or fewer numbers than vertices, or the mere name of a style, its directions or a picture
+ *   `bad-parameter`: more or fewer numbers than vertices, regions that overlap or name no vertex, or the mere name of a style, its directions or a picture
  */
 export function toWelded(
   method: MethodDescriptor,
@@ -26,6 +28,7 @@ export function toWelded(
     const value = parameters[name];
     if (kind === 'handles' && value !== undefined) welded[name] = weldHandles(name, value as Handles, mesh);
     if (kind === 'scalars' && value !== undefined) welded[name] = weldScalars(name, value as Scalars, mesh);
+    if (kind === 'rotations' && value !== undefined) welded[name] = weldRegions(name, value as Regions, mesh);
     if (kind === 'style' && (typeof value === 'string' || Array.isArray(value)))
       throw unresolved(name, value, 'a Gauss map', 'resolveStyle');
     if (kind === 'relief' && typeof value === 'string') throw unresolved(name, value, 'a relief', 'reliefOf');

@@ -1,9 +1,10 @@
 import type {
-  Handles,
+  ChoiceParameter,
   MethodDescriptor,
   ParameterDescriptor,
   ScalarsParameter,
   StyleParameter,
+  VectorParameter,
 } from './descriptor.ts';
 import { didYouMean } from './suggest.ts';
 
@@ -17,7 +18,7 @@ export interface ParameterProblem {
 
 /**
  * The one place that holds values against a method's descriptor: unknown names, wrong kinds, numbers out of range, handles
- * of the wrong shape. What is absent is fine. Whether handle vertices exist is for the engine, which knows the mesh.
+ * and regions of the wrong shape. What is absent is fine. Whether vertices exist is for the engine, which knows the mesh.
  *
  * @param values typed as `unknown` because recipes and pages can hand over anything
  * @returns the first problem, or undefined
@@ -57,25 +58,17 @@ function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterP
         `“${name}” must be ${wanted} from ${min} to ${max}, not ${show(value)}.`,
       );
     }
-    case 'choice':
-      if (descriptor.choices.includes(value as string)) return undefined;
-      return problem(
-        'bad-parameter',
-        name,
-        `“${name}” must be one of ${descriptor.choices.join(', ')}, not ${show(value)}.`,
-      );
     case 'flag':
       if (typeof value === 'boolean') return undefined;
       return problem('bad-parameter', name, `“${name}” must be true or false, not ${show(value)}.`);
+    case 'choice':
+    case 'vector':
+    case 'rotation':
     case 'scalars':
+    case 'rotations':
     case 'style':
     case 'relief': {
-      const what =
-        descriptor.kind === 'scalars'
-          ? scalarsProblem(descriptor, value)
-          : descriptor.kind === 'style'
-            ? styleProblem(descriptor, value)
-            : reliefProblem(value);
+      const what = problemOf(descriptor, value);
       return what === undefined ? undefined : problem('bad-parameter', name, `“${name}” ${what}`);
     }
     case 'handles': {
@@ -89,13 +82,77 @@ function checkValue(descriptor: ParameterDescriptor, value: unknown): ParameterP
   }
 }
 
+type Composite = Exclude<ParameterDescriptor, { kind: 'number' | 'integer' | 'flag' | 'handles' }>;
+
+/** The rest of a sentence that begins with the parameter's name, as of all functions below. */
+function problemOf(descriptor: Composite, value: unknown): string | undefined {
+  switch (descriptor.kind) {
+    case 'choice':
+      return choiceProblem(descriptor, value);
+    case 'vector':
+      return vectorProblem(descriptor, value);
+    case 'rotation':
+      return isQuaternion(value) ? undefined : `must be ${quaternion}, not ${show(value)}.`;
+    case 'scalars':
+      return scalarsProblem(descriptor, value);
+    case 'rotations':
+      return regionsProblem(value);
+    case 'style':
+      return styleProblem(descriptor, value);
+    case 'relief':
+      return reliefProblem(value);
+  }
+}
+
+/** Whether the rows' lengths make sense is for the core. */
+function choiceProblem({ choices, maxRows = 0 }: ChoiceParameter, value: unknown): string | undefined {
+  if (choices.includes(value as string)) return undefined;
+  if (maxRows > 0 && Array.isArray(value)) {
+    if (value.length <= maxRows) return directionsProblem(value, 'rows');
+    return `must have ${maxRows} rows at most; it has ${value.length}.`;
+  }
+  const rows = maxRows > 0 ? `, or a list of ${maxRows} rows [x, y, z] at most` : '';
+  return `must be one of ${choices.join(', ')}${rows}, not ${show(value)}.`;
+}
+
+function vectorProblem({ default: usual, min, max }: VectorParameter, value: unknown): string | undefined {
+  const isRight = Array.isArray(value) && value.length === usual.length && value.every(isWithin(min, max));
+  if (isRight) return undefined;
+  return `must be ${usual.length} numbers from ${min} to ${max}, such as [${usual.join(', ')}], not ${show(value)}.`;
+}
+
+function isWithin(min: number, max: number): (entry: unknown) => boolean {
+  return (entry) => Number.isFinite(entry) && (entry as number) >= min && (entry as number) <= max;
+}
+
+const quaternion = 'a quaternion [x, y, z, w] of finite numbers, not all of them zero';
+
+function isQuaternion(value: unknown): boolean {
+  return isPoint(value, 4) && value.some((part) => part !== 0);
+}
+
+function regionsProblem(value: unknown): string | undefined {
+  const shape = 'must be [{"vertices": [index, …], "orientation": [x, y, z, w]}, …]';
+  if (!Array.isArray(value)) return `${shape}, not ${show(value)}.`;
+  for (const [index, region] of value.entries()) {
+    const { vertices, orientation, ...rest } = (region ?? {}) as Partial<Record<string, unknown>>;
+    if (!Array.isArray(vertices)) return `${shape}; region ${index} has no list of vertices.`;
+    const [stranger] = Object.keys(rest);
+    if (stranger !== undefined) return `${shape}; region ${index} has an entry “${stranger}” too many.`;
+    const what = verticesProblem(vertices, ` of region ${index}`);
+    if (what !== undefined) return what;
+    if (!isQuaternion(orientation))
+      return `must have as orientation ${quaternion}; that of region ${index} is ${show(orientation)}.`;
+  }
+  return undefined;
+}
+
 function scalarsProblem({ min, max }: ScalarsParameter, value: unknown): string | undefined {
   if (!Array.isArray(value) && !(value instanceof Float64Array)) {
     return `must be a list of numbers from ${min} to ${max}, one for each vertex, not ${show(value)}.`;
   }
-  const isNumber = (entry: unknown): boolean =>
-    Number.isFinite(entry) && (entry as number) >= min && (entry as number) <= max;
-  const bad = (value as readonly unknown[]).findIndex((entry) => !isNumber(entry));
+  const isRight = isWithin(min, max);
+  const bad = (value as readonly unknown[]).findIndex((entry) => !isRight(entry));
   return bad < 0
     ? undefined
     : `must hold numbers from ${min} to ${max}; entry ${bad} is ${show(value[bad])}.`;
@@ -115,11 +172,11 @@ function styleProblem({ mapping }: StyleParameter, value: unknown): string | und
   return `must name a primitive, a style mesh or a file, or be a list of directions or a Gauss map, not ${show(value)}.`;
 }
 
-function directionsProblem(value: readonly unknown[]): string | undefined {
+function directionsProblem(value: readonly unknown[], what = 'directions'): string | undefined {
   const bad = value.findIndex((entry) => !isPoint(entry) || entry.every((part) => part === 0));
   if (value.length > 0 && bad < 0) return undefined;
   const found = bad < 0 ? 'it is empty' : `entry ${bad} is ${show(value[bad])}`;
-  return `must list directions [x, y, z] of finite numbers, not all of them zero; ${found}.`;
+  return `must list ${what} [x, y, z] of finite numbers, not all of them zero; ${found}.`;
 }
 
 function reliefProblem(value: unknown): string | undefined {
@@ -130,7 +187,6 @@ function reliefProblem(value: unknown): string | undefined {
   return `must name a picture or a pattern, or be a relief, not ${show(value)}.`;
 }
 
-/** The rest of a sentence that begins with the parameter's name. */
 function handlesProblem(value: unknown): string | undefined {
   const shape = 'must be {"vertices": [index, …], "targets": [[x, y, z], …]}';
   if (typeof value !== 'object' || value === null || Array.isArray(value))
@@ -142,10 +198,8 @@ function handlesProblem(value: unknown): string | undefined {
   if (vertices.length !== targets.length) {
     return `must have as many targets as vertices; there are ${vertices.length} vertices and ${targets.length} targets.`;
   }
-  const badVertex = vertices.findIndex((vertex) => !Number.isInteger(vertex) || vertex < 0);
-  if (badVertex >= 0) {
-    return `must name vertices by whole numbers from 0; entry ${badVertex} is ${show(vertices[badVertex])}.`;
-  }
+  const badVertices = verticesProblem(vertices);
+  if (badVertices !== undefined) return badVertices;
   const badTarget = targets.findIndex((target) => !isPoint(target));
   if (badTarget >= 0) {
     return `must have targets [x, y, z] of finite numbers; entry ${badTarget} is ${show(targets[badTarget])}.`;
@@ -153,8 +207,14 @@ function handlesProblem(value: unknown): string | undefined {
   return undefined;
 }
 
-function isPoint(value: unknown): value is Handles['targets'][number] {
-  return Array.isArray(value) && value.length === 3 && value.every((entry) => Number.isFinite(entry));
+function verticesProblem(vertices: readonly unknown[], where = ''): string | undefined {
+  const bad = vertices.findIndex((vertex) => !Number.isInteger(vertex) || (vertex as number) < 0);
+  if (bad < 0) return undefined;
+  return `must name vertices by whole numbers from 0; entry ${bad}${where} is ${show(vertices[bad])}.`;
+}
+
+function isPoint(value: unknown, size = 3): value is readonly number[] {
+  return Array.isArray(value) && value.length === size && value.every((entry) => Number.isFinite(entry));
 }
 
 /** A value as a person may recognise it, cut short. JSON has no NaN or Infinity, hence the detour for numbers. */

@@ -34,6 +34,23 @@ export interface ChoiceParameter extends Parameter {
   readonly kind: 'choice';
   readonly default: string;
   readonly choices: readonly string[];
+  /** Set where a list of {@link Directions} will do in place of a name, their lengths counting: how many at most. */
+  readonly maxRows?: number;
+}
+
+/** A fixed count of numbers, as many as its default has. */
+export interface VectorParameter extends Parameter {
+  readonly kind: 'vector';
+  readonly default: readonly number[];
+  /** Hard range of each number, inclusive. */
+  readonly min: number;
+  readonly max: number;
+}
+
+/** A {@link Quaternion}. */
+export interface RotationParameter extends Parameter {
+  readonly kind: 'rotation';
+  readonly default: Quaternion;
 }
 
 /** Something that is done or not. */
@@ -48,6 +65,13 @@ export interface ScalarsParameter extends Parameter {
   /** Hard range of each number, inclusive. */
   readonly min: number;
   readonly max: number;
+}
+
+/**
+ * A rotation for parts of the mesh: {@link Regions}, of which the engine makes one for each vertex. Absent or empty means none.
+ */
+export interface RotationsParameter extends Parameter {
+  readonly kind: 'rotations';
 }
 
 /**
@@ -79,7 +103,10 @@ export type ParameterDescriptor =
   | NumberParameter
   | ChoiceParameter
   | FlagParameter
+  | VectorParameter
+  | RotationParameter
   | ScalarsParameter
+  | RotationsParameter
   | StyleParameter
   | ReliefParameter
   | HandlesParameter;
@@ -103,15 +130,30 @@ export interface Handles {
 /** A number for each vertex, by the source file's position list. */
 export type Scalars = readonly number[] | Float64Array;
 
+/** A rotation as glTF and three.js write it, of any length but zero. */
+export type Quaternion = readonly [x: number, y: number, z: number, w: number];
+
+/** Vertices (indices of the source file's position list) and how they are turned; no vertex is in two of them. */
+export type Regions = readonly { readonly vertices: readonly number[]; readonly orientation: Quaternion }[];
+
 /** A primitive ('cube'), a style mesh ('oloid') or the path of a mesh file. */
 export type StyleName = string;
 
-/** Normals to snap to, of any length but zero. */
+/** Vectors of any length but zero: normals to snap to, or the rows of a polyhedron's matrix. */
 export type Directions = readonly (readonly [x: number, y: number, z: number])[];
 
 /** A pattern of ours ('weave') or the path of a picture. */
 export type ImageName = string;
 
-export type ParameterValue = number | string | boolean | Scalars | GaussMap | Directions | Relief | Handles;
+export type ParameterValue =
+  | number
+  | string
+  | boolean
+  | Scalars
+  | Regions
+  | GaussMap
+  | Directions
+  | Relief
+  | Handles;
 /** Values by parameter name; what is absent has its default. */
 export type ParameterValues = Readonly<Record<string, ParameterValue>>;

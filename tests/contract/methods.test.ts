@@ -17,6 +17,7 @@ test('descriptors and the core’s registry say the same: ids, names, kinds, def
       ...('default' in parameter && parameter.kind !== 'style' ? { default: parameter.default } : {}),
       ...('min' in parameter ? { min: parameter.min, max: parameter.max } : {}),
       ...('choices' in parameter ? { choices: parameter.choices } : {}),
+      ...('maxRows' in parameter ? { maxRows: parameter.maxRows } : {}),
     })),
   }));
   expect(described).toEqual((await testCore()).methods());

@@ -203,7 +203,7 @@ TEST_CASE("four vertices in single precision reach what one reaches in double") 
       QuaternionLanes climbed = packed.rotations;
       const LaneMask proved = climbLanes(packed.lanes, u, climbed).certified;
       CubicExact solver;
-      solver.begin(1, {});
+      solver.begin(1);
       const Lanes regularizers = solver.solve(0, packed.lanes, packed.rotations);
       for (int lane = 0; lane < 4; ++lane) {
         const Vertex& vertex = vertices[lane];
@@ -231,7 +231,7 @@ TEST_CASE("four awkward vertices are solved too") {
       }
       Packed packed(vertices);
       CubicExact solver;
-      solver.begin(1, {});
+      solver.begin(1);
       solver.solve(0, packed.lanes, packed.rotations);
       for (int lane = 0; lane < 4; ++lane) {
         const Mat3 R = rotationAt(packed.rotations, lane);

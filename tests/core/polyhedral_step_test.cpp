@@ -35,6 +35,7 @@ struct Solved {
   Mat3 R[4];
   double regularizer[4];
   bool certified[4];
+  Vec3 pull[4];  // Σ l_j u_j b_j
 };
 
 Solved solve(const std::vector<PolyhedralVertex>& vertices, const Polyhedron& polyhedron) {
@@ -54,13 +55,18 @@ Solved solve(const std::vector<PolyhedralVertex>& vertices, const Polyhedron& po
   QuaternionLanes climbed = rotations;
   const LaneMask certified = climbPolyhedral(lanes.M, lanes.n, lanes.weights.x, polyhedron, u, climbed).certified;
   PolyhedralExact solver(polyhedron);
-  solver.begin(1, {});
+  solver.begin(1);
   const Lanes regularizers = scaled.scale * solver.solve(0, lanes, rotations);
   Solved result;
   for (int lane = 0; lane < 4; ++lane) {
     result.R[lane] = rotationAt(rotations, lane);
     result.regularizer[lane] = regularizers[lane];
     result.certified[lane] = certified[lane] != 0;
+    result.pull[lane] = Vec3::Zero();
+    for (Index j = 0; j < polyhedron.rowCount; ++j) {
+      const double subgradient = std::clamp<double>(u[j][lane], -1, 1);
+      result.pull[lane] += polyhedron.lengths[j] * subgradient * polyhedron.rows[j];
+    }
   }
   return result;
 }
@@ -76,6 +82,25 @@ double bruteForce(Noise& noise, const PolyhedralVertex& vertex) {
     offer(turn * best);
   }
   return vertex.objective(best);
+}
+
+/// A matrix B of one's own: rows of unlike lengths, some of them parallel, all in one plane now and then.
+Polyhedron someMatrix(Noise& noise, Index rowCount) {
+  Scalars rows(3 * rowCount);
+  const bool isFlat = noise() > 0.6;
+  for (Index j = 0; j < rowCount; ++j) {
+    Vec3 row = noise.direction() * (1.05 + noise());
+    if (isFlat) row.z() = 0;
+    if (j > 0 && noise() > 0.8) row = -0.5 * rows.segment<3>(0);
+    rows.segment<3>(3 * j) = row;
+  }
+  return Polyhedron::ofRows(rows);
+}
+
+double supportOf(const Polyhedron& polyhedron) {
+  double sum = 0;
+  for (Index j = 0; j < polyhedron.rowCount; ++j) sum += polyhedron.lengths[j];
+  return sum;
 }
 
 /// Mean angle between face normals and the nearest face normal of a style, area-weighted, in degrees.
@@ -151,6 +176,63 @@ TEST_CASE("brute force and a tight ADMM never beat the exact step of any polyhed
       CAPTURE(k);
       CAPTURE(lambda);
       if (lambda <= 2) CHECK(certified >= 44);
+    }
+  }
+}
+
+TEST_CASE("any matrix B: no gap where it is certified, and neither brute force nor a tight ADMM is better anywhere") {
+  Noise noise;
+  for (Index rowCount = 1; rowCount <= Polyhedron::kMostRows; ++rowCount) {
+    int certified = 0, count = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+      const Polyhedron polyhedron = someMatrix(noise, rowCount);
+      const double lambda = (trial % 4 == 3 ? 15.0 : 1.0) / supportOf(polyhedron);
+      const CubicAdmm admm(polyhedron, {1e-10, 1e-8, 1e-8, 4000});
+      std::vector<PolyhedralVertex> vertices;
+      for (int lane = 0; lane < 4; ++lane) vertices.push_back(surfaceVertex(noise, lambda, polyhedron));
+      const Solved solved = solve(vertices, polyhedron);
+      for (int lane = 0; lane < 4; ++lane) {
+        const PolyhedralVertex& vertex = vertices[lane];
+        const double value = vertex.objective(solved.R[lane]), slack = kSingle * scaleOf(vertex);
+        REQUIRE(std::abs(solved.regularizer[lane] - vertex.weight * polyhedron.support(solved.R[lane] * vertex.n)) <= slack);
+        REQUIRE(bruteForce(noise, vertex) <= value + slack);
+        Mat3 R = fitRotation(vertex.M);
+        CubicAdmm::State state;
+        admm.solve(vertex.M, vertex.n, vertex.weight, state, R);
+        REQUIRE(vertex.objective(R) <= value + slack);
+        if (trial % 4 == 3) continue;
+        ++count;
+        if (!solved.certified[lane]) continue;
+        ++certified;
+        const Mat3 pulled = vertex.M - vertex.weight * vertex.n * solved.pull[lane].transpose();
+        REQUIRE(fitRotation(pulled).cwiseProduct(pulled.transpose()).sum() <= value + slack);
+      }
+    }
+    CAPTURE(rowCount);
+    CHECK(certified >= 0.9 * count);
+  }
+}
+
+TEST_CASE("a box of any edges, some of them none: the cube's step, the search and a tight ADMM agree") {
+  Noise noise;
+  for (const Vec3& lengths : {Vec3(1, 1, 0.1), Vec3(1, 0.3, 2), Vec3(1, 1, 0), Vec3(0, 0, 1), Vec3(0, 2, 0.5)}) {
+    const Polyhedron box = Polyhedron::box(lengths);
+    const CubicAdmm admm(box, {1e-12, 1e-10, 1e-10, 20000});
+    for (const double lambda : {0.05, 0.4, 1.0, 2.5}) {
+      for (int trial = 0; trial < 12; ++trial) {
+        const PolyhedralVertex vertex = surfaceVertex(noise, lambda, box);
+        const CubicVertex cubic{vertex.M, vertex.n, lambda * lengths};
+        Mat3 exact = fitRotation(vertex.M), R = exact;
+        Vec3 u = Vec3::Zero();
+        CubicExact::solveCertified(cubic, u, exact);
+        const double value = cubic.objective(exact), scale = scaleOf(vertex);
+        REQUIRE(vertex.objective(exact) == doctest::Approx(value).epsilon(1e-12));
+        REQUIRE(bruteForce(noise, vertex) <= value + 1e-10 * scale);
+        REQUIRE(vertex.objective(searchCubic(vertex, Mat3::Identity())) == doctest::Approx(value).epsilon(1e-9));
+        CubicAdmm::State state;
+        admm.solve(vertex.M, vertex.n, vertex.weight, state, R);
+        REQUIRE(vertex.objective(R) <= value + 1e-10 * scale);
+      }
     }
   }
 }

@@ -18,6 +18,9 @@ test('a recipe is read step by step, absent parameters stay absent', () => {
 test('what is formatted is read again', () => {
   const steps = [
     { method: 'cubic', parameters: { lambda: 0.1 + 0.2, maxIterations: 7 } },
+    { method: 'cubic', parameters: { lambdaAxes: [1, 1, 0], orientation: [0, 0, 0.4, 0.9] } },
+    { method: 'cubic', parameters: { polyhedron: [[1, 0, 0] as const, [0, 2, 0.5] as const] } },
+    { method: 'cubic', parameters: { frames: [{ vertices: [3, 4], orientation: [0, 1, 0, 1] as const }] } },
     { method: 'arap', parameters: { handles: { vertices: [3], targets: [[1, -2.5, 1e-9] as const] } } },
   ];
   const text = formatRecipe({ steps });
@@ -59,6 +62,43 @@ const refused: [string, string, RegExp][] = [
   [step('{"method": "cubic", "Lambda": 1}'), 'bad-parameter', /no parameter “Lambda”.*mean “lambda”/],
   [step('{"method": "cubic", "lambda": 101}'), 'bad-parameter', /“lambda” .*0 to 100, not 101/],
   [step('{"method": "cubic", "lambda": null}'), 'bad-parameter', /not null/],
+  [
+    step('{"method": "cubic", "lambdaAxes": [1, 1]}'),
+    'bad-parameter',
+    /“lambdaAxes” must be 3 numbers from 0 to 100/,
+  ],
+  [step('{"method": "cubic", "lambdaAxes": [1, 1, -1]}'), 'bad-parameter', /not \[1,1,-1\]/],
+  [step('{"method": "cubic", "orientation": [0, 0, 0, 0]}'), 'bad-parameter', /not all of them zero/],
+  [step('{"method": "cubic", "orientation": 45}'), 'bad-parameter', /must be a quaternion .* not 45/],
+  [step('{"method": "cubic", "polyhedron": "sphere"}'), 'bad-parameter', /one of cube.*or a list of 12 rows/],
+  [step('{"method": "cubic", "polyhedron": []}'), 'bad-parameter', /must list rows .*; it is empty/],
+  [
+    step('{"method": "cubic", "polyhedron": [[1, 0, 0], [0, 0, 0]]}'),
+    'bad-parameter',
+    /entry 1 is \[0,0,0\]/,
+  ],
+  [
+    step(`{"method": "cubic", "polyhedron": ${JSON.stringify(Array(13).fill([1, 0, 0]))}}`),
+    'bad-parameter',
+    /12 rows at most; it has 13/,
+  ],
+  [step('{"method": "cubic", "frames": {}}'), 'bad-parameter', /“frames” must be \[\{"vertices"/],
+  [step('{"method": "cubic", "frames": [null]}'), 'bad-parameter', /region 0 has no list of vertices/],
+  [
+    step('{"method": "cubic", "frames": [{"vertices": [0, 1.5], "orientation": [0, 0, 0, 1]}]}'),
+    'bad-parameter',
+    /entry 1 of region 0 is 1\.5/,
+  ],
+  [
+    step('{"method": "cubic", "frames": [{"vertices": [], "orientation": [1]}]}'),
+    'bad-parameter',
+    /that of region 0 is \[1\]/,
+  ],
+  [
+    step('{"method": "cubic", "frames": [{"vertices": [], "orientation": [0, 0, 0, 1], "name": "hand"}]}'),
+    'bad-parameter',
+    /region 0 has an entry “name” too many/,
+  ],
   [step('{"method": "arap", "handles": [1]}'), 'bad-handles', /“handles” must be \{"vertices"/],
   [step('{"method": "arap", "handles": {"vertices": [1]}}'), 'bad-handles', /both lists/],
   [

@@ -32,7 +32,8 @@ WHITTLE_API void whittle_report(const WhittleSession* session, double* numbers);
 WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
 /// Sets a number, a choice by the index of its name, or a flag as 0 or 1.
 WHITTLE_API int whittle_set_number(WhittleSession* session, const char* parameter, double value);
-/// Sets a number for each vertex; count 0 unsets them.
+/// Sets a list of numbers, as its kind has it: for each vertex one (scalars) or a quaternion x y z w (rotations; one of zeros says
+/// nothing), a vector, a quaternion, or the rows of a matrix in place of a choice's name. Count 0 unsets what need not be.
 WHITTLE_API int whittle_set_scalars(WhittleSession* session, const char* parameter, const double* values, int32_t count);
 /// Sets a style. Kind 0: the closest of #normals×3. Kind 1: points #points×3 on the sphere, triangles #triangles×3, a normal for each
 /// point; kind 2: a normal for each triangle. Any other kind: none.

@@ -112,6 +112,14 @@ inline QuaternionLanes continued(const QuaternionLanes& now, const QuaternionLan
   return normalized({now.w + (now.w - before.w), now.x + (now.x - before.x), now.y + (now.y - before.y), now.z + (now.z - before.z)});
 }
 
+inline QuaternionLanes inverse(const QuaternionLanes& q) { return {q.w, -q.x, -q.y, -q.z}; }
+
+/// The rotation a after b.
+inline QuaternionLanes operator*(const QuaternionLanes& a, const QuaternionLanes& b) {
+  return {a.w * b.w - (a.x * b.x + a.y * b.y + a.z * b.z), a.w * b.x + a.x * b.w + (a.y * b.z - a.z * b.y),
+          a.w * b.y + a.y * b.w + (a.z * b.x - a.x * b.z), a.w * b.z + a.z * b.w + (a.x * b.y - a.y * b.x)};
+}
+
 /// The rotation by 2 atan(|w|/2) about w after q: the Cayley transform of w, equal to exp([w]×) to third order.
 inline QuaternionLanes turned(const QuaternionLanes& q, const VectorLanes& w) {
   const VectorLanes h = splat(0.5f) * w;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,10 +19,13 @@ enum class ParameterKind {
   number,
   integer,
   choice,
-  flag,     // 0 or 1
-  scalars,  // a number for each vertex, or none
-  style,    // a Gauss map
-  relief,   // a texture's slopes
+  flag,       // 0 or 1
+  vector,     // a fixed count of numbers
+  rotation,   // a quaternion x y z w of any length but zero, by default the identity
+  scalars,    // a number for each vertex, or none
+  rotations,  // a quaternion for each vertex, or none; one of zeros says nothing
+  style,      // a Gauss map
+  relief,     // a texture's slopes
   handles,
 };
 
@@ -32,19 +34,36 @@ struct ParameterInfo {
   const char* name;
   ParameterKind kind;
   Stale invalidates;
-  double defaultValue = 0;  // of what is one number; of a choice, its index
+  double defaultValue = 0;  // of each number; of a choice, its index
   double min = 0;           // hard range, inclusive, of each number
   double max = 0;
   std::vector<const char*> choices = {};  // names by index, for a choice only
+  Index count = 0;  // of a vector, its numbers; of a choice, the rows that it takes at most in place of a name
 
   /// Whether its value is one of `Settings::numbers`.
-  bool isNumber() const { return kind < ParameterKind::scalars; }
+  bool isNumber() const { return kind < ParameterKind::vector; }
+  /// Whether its value is, or can be, one of `Settings::scalars`.
+  bool isScalars() const {
+    return kind == ParameterKind::choice ? count > 0 : kind >= ParameterKind::vector && kind <= ParameterKind::rotations;
+  }
 };
 
 /// One of several named ways, the first by default. Its value is the index of the name.
 inline ParameterInfo choiceParameter(const char* name, Stale invalidates, std::vector<const char*> choices) {
   const double last = static_cast<double>(choices.size()) - 1;
   return {name, ParameterKind::choice, invalidates, 0, 0, last, std::move(choices)};
+}
+
+/// A choice in place of whose names a matrix of one's own will do: `most` rows of three numbers, or fewer.
+inline ParameterInfo choiceOrRowsParameter(const char* name, Stale invalidates, std::vector<const char*> choices, Index most) {
+  ParameterInfo info = choiceParameter(name, invalidates, std::move(choices));
+  info.count = most;
+  return info;
+}
+
+/// Some numbers, each of the same default and range.
+inline ParameterInfo vectorParameter(const char* name, Stale invalidates, Index count, double usual, double min, double max) {
+  return {name, ParameterKind::vector, invalidates, usual, min, max, {}, count};
 }
 
 /// Something that is done or not, by default not.
@@ -55,38 +74,23 @@ inline ParameterInfo flagParameter(const char* name, Stale invalidates) {
 /// Values for a method's parameters, in the order of its ParameterInfo list; handles beside them, in the unit frame, the style and the relief.
 struct Settings {
   std::vector<double> numbers;
-  std::vector<Scalars> scalars;  // #V, or empty where there are none
+  std::vector<Scalars> scalars;  // by kind: #V, 4·#V, 4, `count` or 3·#rows numbers; empty where there are none
   Handles handles;
   std::shared_ptr<const GaussMap> style;  // nullptr: none
   std::shared_ptr<const Relief> relief;   // nullptr: none
 
-  static Settings defaults(const std::vector<ParameterInfo>& infos) {
-    Settings settings;
-    for (const ParameterInfo& info : infos) settings.numbers.push_back(info.defaultValue);
-    settings.scalars.resize(infos.size());
-    return settings;
-  }
+  static Settings defaults(const std::vector<ParameterInfo>& infos);
 };
 
-/// Fails with `badParameter`, naming the parameter, if there is neither a number for each vertex nor none, or one is out of range (element: its vertex).
-inline Status validateScalars(const ParameterInfo& info, const Scalars& values, Index vertexCount) {
-  const auto refused = [&](const std::string& what, Index element = -1) {
-    return Status::failure(Code::badParameter, info.name + what, element);
-  };
-  if (values.size() != 0 && values.size() != vertexCount) {
-    return refused(" has " + std::to_string(values.size()) + " numbers for " + std::to_string(vertexCount) + " vertices");
-  }
-  for (Index v = 0; v < values.size(); ++v) {
-    if (!(values[v] >= info.min && values[v] <= info.max)) return refused(" is out of its range at vertex " + std::to_string(v), v);
-  }
-  return {};
-}
+/// The shortest and the longest row of a matrix that a choice takes.
+constexpr double kShortestRow = 1e-3;
+constexpr double kLongestRow = 100;
+
+/// Fails with `badParameter`, naming the parameter, if a list is not of its kind's length or one of its numbers is out of range
+/// (element: its vertex, where it has one).
+Status validateScalars(const ParameterInfo& info, const Scalars& values, Index vertexCount);
 
 /// Fails with `badParameter`, naming the parameter, if the value is not finite, out of range or not whole.
-inline Status validateNumber(const ParameterInfo& info, double value) {
-  const bool whole = value == std::trunc(value);
-  if (value >= info.min && value <= info.max && (info.kind == ParameterKind::number || whole)) return {};
-  return Status::failure(Code::badParameter, std::string(info.name) + " is out of its range");
-}
+Status validateNumber(const ParameterInfo& info, double value);
 
 }  // namespace whittle

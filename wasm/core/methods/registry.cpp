@@ -14,7 +14,8 @@ namespace whittle {
 
 namespace {
 
-constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag", "scalars", "style", "relief", "handles"};
+constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag",   "vector", "rotation",
+                                      "scalars", "rotations", "style", "relief", "handles"};
 constexpr const char* kStaleNames[] = {"nothing", "targets", "weights", "system", "all"};
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
@@ -25,6 +26,12 @@ std::string number(double value) {
   return text;
 }
 
+std::string repeated(double value, Index count) {
+  std::string json = "[";
+  for (Index k = 0; k < count; ++k) json += (k ? "," : "") + number(value);
+  return json + "]";
+}
+
 std::string describe(const ParameterInfo& info) {
   std::string json = "{\"name\":" + quoted(info.name) + ",\"kind\":" + quoted(kKindNames[static_cast<int>(info.kind)]) +
                      ",\"invalidates\":" + quoted(kStaleNames[static_cast<int>(info.invalidates)]);
@@ -32,10 +39,14 @@ std::string describe(const ParameterInfo& info) {
     json += ",\"default\":" + quoted(info.choices[static_cast<std::size_t>(info.defaultValue)]) + ",\"choices\":[";
     for (std::size_t c = 0; c < info.choices.size(); ++c) json += (c ? "," : "") + quoted(info.choices[c]);
     json += "]";
+    if (info.count > 0) json += ",\"maxRows\":" + std::to_string(info.count);
   } else if (info.kind == ParameterKind::flag) {
     json += info.defaultValue != 0 ? ",\"default\":true" : ",\"default\":false";
-  } else if (info.isNumber() || info.kind == ParameterKind::scalars) {
+  } else if (info.kind == ParameterKind::rotation) {
+    json += ",\"default\":[0,0,0,1]";
+  } else if (info.isNumber() || info.kind == ParameterKind::vector || info.kind == ParameterKind::scalars) {
     if (info.isNumber()) json += ",\"default\":" + number(info.defaultValue);
+    if (info.kind == ParameterKind::vector) json += ",\"default\":" + repeated(info.defaultValue, info.count);
     json += ",\"min\":" + number(info.min) + ",\"max\":" + number(info.max);
   }
   return json + "}";

@@ -13,8 +13,8 @@ const std::vector<MethodInfo>& methodRegistry();
 const MethodInfo* findMethod(const std::string& id);
 
 /// The registry as JSON, for TypeScript to hold against its descriptors:
-/// [{"id", "parameters": [{"name", "kind", "invalidates", "default", "min", "max", "choices"}]}], each only where it applies; the
-/// default of a choice is its name, that of a flag true or false.
+/// [{"id", "parameters": [{"name", "kind", "invalidates", "default", "min", "max", "choices", "maxRows"}]}], each only where it applies;
+/// the default of a choice is its name, that of a flag true or false.
 std::string describeMethods();
 
 }  // namespace whittle

@@ -59,8 +59,7 @@ Status Session::setNumber(const std::string& parameter, double value) {
 
 Status Session::setScalars(const std::string& parameter, const Scalars& values) {
   std::size_t p;
-  const auto fits = [](const auto& info) { return info.kind == ParameterKind::scalars; };
-  if (Status status = find(parameter, fits, p); !status.ok()) return status;
+  if (Status status = find(parameter, [](const auto& info) { return info.isScalars(); }, p); !status.ok()) return status;
   const ParameterInfo& info = info_->parameters[p];
   Status status = validateScalars(info, values, rest_.vertexCount());
   if (!status.ok()) return status;

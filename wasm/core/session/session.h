@@ -22,7 +22,8 @@ class Session {
   Status select(const std::string& method);
   /// A number, a choice by the index of its name or a flag as 0 or 1. Fails with `badParameter`.
   Status setNumber(const std::string& parameter, double value);
-  /// A number for each vertex, or none. Fails with `badParameter`.
+  /// A list of numbers as its kind has it: for each vertex one, or a quaternion x y z w, or none; a vector; a quaternion; the rows of
+  /// a matrix that take the place of a choice, or none. Fails with `badParameter`.
   Status setScalars(const std::string& parameter, const Scalars& values);
   /// A Gauss map, or none. Fails with `badParameter`.
   Status setStyle(const std::string& parameter, const std::optional<GaussMapData>& data);

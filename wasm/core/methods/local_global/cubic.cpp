@@ -10,15 +10,15 @@ namespace whittle {
 
 namespace {
 
-enum Parameter { kLambda, kLambdaPerVertex, kPolyhedron, kLocalStep, kOwnParameters };
+enum Parameter { kLambda, kLambdaPerVertex, kLambdaAxes, kPolyhedron, kOrientation, kFrames, kLocalStep, kOwnParameters };
 enum LocalStepChoice { kExact, kAdmm };
 
 /// Goes back to the guess in lanes where it is better.
-void keepBetter(const CubicLanes& vertices, const Polyhedron& polyhedron, const QuaternionLanes& guess, QuaternionLanes& rotations,
-                Lanes& regularizers) {
+void keepBetter(const CubicLanes& vertices, Lanes weights, const Polyhedron& polyhedron, const QuaternionLanes& guess,
+                QuaternionLanes& rotations, Lanes& regularizers) {
   for (int lane = 0; lane < 4; ++lane) {
     const CubicVertex cubic = vertexAt(vertices, lane);
-    const PolyhedralVertex vertex(cubic.M, cubic.n, cubic.weights.x(), polyhedron);
+    const PolyhedralVertex vertex(cubic.M, cubic.n, weights[lane], polyhedron);
     const Mat3 before = rotationAt(guess, lane);
     if (vertex.objective(rotationAt(rotations, lane)) >= vertex.objective(before)) continue;
     setRotation(rotations, lane, before);
@@ -29,34 +29,68 @@ void keepBetter(const CubicLanes& vertices, const Polyhedron& polyhedron, const 
 }  // namespace
 
 Status CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
-  const Scalars& own = settings.scalars[kLambdaPerVertex];
-  const auto cubeness = [&](Index v) { return own.size() ? own[v] : settings.numbers[kLambda]; };  // λ_i, Eq. 1
-  const std::size_t batches = batchCount(rest.mesh.vertexCount());
-  normals_.assign(batches, {splat(0), splat(0), splat(0)});
-  weights_ = normals_;
-  for (Index v = 0; v < rest.mesh.vertexCount(); ++v) {
-    const Vec3 n = rest.normals.row(v).transpose();
-    setVector(normals_[v / 4], v % 4, n);
-    if (!n.isZero(0)) setVector(weights_[v / 4], v % 4, Vec3::Constant(cubeness(v) * rest.areas[v]));
-  }
-  polyhedron_ = Polyhedron::named(static_cast<std::size_t>(settings.numbers[kPolyhedron]));
-  if (static_cast<int>(settings.numbers[kLocalStep]) == kAdmm) {
-    solver_ = std::make_unique<CubicAdmm>(polyhedron_);
-  } else if (settings.numbers[kPolyhedron] == 0) {
-    solver_ = std::make_unique<CubicExact>();
-  } else {
-    solver_ = std::make_unique<PolyhedralExact>(polyhedron_);
-  }
+  prepareVertices(rest, settings);
+  if (Status status = prepareStyle(settings); !status.ok()) return status;
+  frames_.prepare(settings.scalars[kOrientation], settings.scalars[kFrames], rest.mesh.vertexCount());
   begin();
   return {};
 }
 
+void CubicLocalStep::prepareVertices(const RestShape& rest, const Settings& settings) {
+  const Scalars& own = settings.scalars[kLambdaPerVertex];
+  const auto cubeness = [&](Index v) { return own.size() ? own[v] : settings.numbers[kLambda]; };  // λ_i, Eq. 1
+  const std::size_t batches = batchCount(rest.mesh.vertexCount());
+  normals_.assign(batches, {splat(0), splat(0), splat(0)});
+  weights_.assign(batches, splat(0));
+  for (Index v = 0; v < rest.mesh.vertexCount(); ++v) {
+    const Vec3 n = rest.normals.row(v).transpose();
+    setVector(normals_[v / 4], v % 4, n);
+    if (!n.isZero(0)) weights_[v / 4][v % 4] = static_cast<float>(cubeness(v) * rest.areas[v]);
+  }
+}
+
+Status CubicLocalStep::prepareStyle(const Settings& settings) {
+  const Scalars& rows = settings.scalars[kPolyhedron];
+  const Vec3 lengths = settings.scalars[kLambdaAxes];
+  const bool isCube = rows.size() == 0 && settings.numbers[kPolyhedron] == 0;
+  if (!isCube && lengths != Vec3::Ones()) {
+    return Status::failure(Code::badParameter,
+                           "only the cube has axes to weigh; leave lambdaAxes at 1, 1, 1 or choose the polyhedron \"cube\"");
+  }
+  if (isCube) {
+    polyhedron_ = Polyhedron::box(lengths);
+  } else {
+    polyhedron_ = rows.size() ? Polyhedron::ofRows(rows) : Polyhedron::named(static_cast<std::size_t>(settings.numbers[kPolyhedron]));
+  }
+  axes_ = Vec3::Ones();
+  if (static_cast<int>(settings.numbers[kLocalStep]) == kAdmm) {
+    solver_ = std::make_unique<CubicAdmm>(polyhedron_);
+  } else if (isCube) {
+    solver_ = std::make_unique<CubicExact>();
+    axes_ = lengths;
+  } else {
+    solver_ = std::make_unique<PolyhedralExact>(polyhedron_);
+  }
+  return {};
+}
+
 Lanes CubicLocalStep::fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) {
-  const CubicLanes vertices{covariances.M, normals_[batch], splat(1) / covariances.scale * weights_[batch]};
+  const Lanes weights = splat(1) / covariances.scale * weights_[batch];
+  if (frames_.areIdentity()) return covariances.scale * solve(batch, covariances.M, weights, neverWorse, rotations);
+  const QuaternionLanes before = frames_.intoFrames(batch, rotations);
+  QuaternionLanes after = before;
+  const Lanes regularizers = solve(batch, frames_.covariances(batch, covariances.M), weights, neverWorse, after);
+  frames_.outOfFrames(batch, before, after, rotations);
+  return covariances.scale * regularizers;
+}
+
+Lanes CubicLocalStep::solve(std::size_t batch, const MatrixLanes& M, Lanes weights, bool neverWorse, QuaternionLanes& rotations) {
+  const VectorLanes axes{splat(static_cast<float>(axes_.x())), splat(static_cast<float>(axes_.y())), splat(static_cast<float>(axes_.z()))};
+  const CubicLanes vertices{M, normals_[batch], {weights * axes.x, weights * axes.y, weights * axes.z}};
   const QuaternionLanes guess = rotations;
   Lanes regularizers = solver_->solve(batch, vertices, rotations);
-  if (neverWorse) keepBetter(vertices, polyhedron_, guess, rotations, regularizers);
-  return covariances.scale * regularizers;
+  if (neverWorse) keepBetter(vertices, weights, polyhedron_, guess, rotations, regularizers);
+  return regularizers;
 }
 
 MethodInfo cubicMethod() {
@@ -66,7 +100,10 @@ MethodInfo cubicMethod() {
   return {"cubic",
           withSharedParameters({{"lambda", ParameterKind::number, Stale::weights, 0.2, 0, 100},
                                 {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 100},
-                                choiceParameter("polyhedron", Stale::weights, Polyhedron::names()),
+                                vectorParameter("lambdaAxes", Stale::weights, 3, 1, 0, 100),
+                                choiceOrRowsParameter("polyhedron", Stale::weights, Polyhedron::names(), Polyhedron::kMostRows),
+                                {"orientation", ParameterKind::rotation, Stale::weights},
+                                {"frames", ParameterKind::rotations, Stale::weights},
                                 choiceParameter("localStep", Stale::weights, {"exact", "admm"})}),
           create};
 }

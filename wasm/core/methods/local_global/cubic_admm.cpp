@@ -36,7 +36,7 @@ Vec3 shrink(const Vec3& x, double t, const Polyhedron& polyhedron) {
 
 }  // namespace
 
-void CubicAdmm::begin(std::size_t batches, const std::vector<VectorLanes>&) { states_.assign(4 * batches, {}); }
+void CubicAdmm::begin(std::size_t batches) { states_.assign(4 * batches, {}); }
 
 Lanes CubicAdmm::solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) {
   Lanes regularizers;

@@ -19,7 +19,7 @@ class CubicAdmm : public CubicSolver {
   explicit CubicAdmm(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
   CubicAdmm(const Polyhedron& polyhedron, const Tolerances& tolerances) : polyhedron_(polyhedron), tolerances_(tolerances) {}
 
-  void begin(std::size_t batches, const std::vector<VectorLanes>& weights) override;
+  void begin(std::size_t batches) override;
   Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) override;
 
   /// R n = z, scaled dual u, penalty ρ as a multiple of κ (Eqs. 4–7).

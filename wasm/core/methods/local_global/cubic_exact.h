@@ -10,7 +10,7 @@ namespace whittle {
 /// so are solved again in double, and what has a true gap (mostly for λ above 3) goes to `searchCubic`.
 class CubicExact : public CubicSolver {
  public:
-  void begin(std::size_t batches, const std::vector<VectorLanes>&) override {
+  void begin(std::size_t batches) override {
     subgradients_.assign(batches, {splat(0), splat(0), splat(0)});
   }
   Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) override;

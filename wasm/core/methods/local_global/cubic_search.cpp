@@ -1,6 +1,7 @@
 #include "methods/local_global/cubic_search.h"
 
 #include <array>
+#include <bitset>
 #include <cmath>
 
 #include "geometry/rotation_fit.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int kSamples = 48;  // of a great circle, a multiple of 4 so that the axes are among them
 constexpr int kGoldenSteps = 45;
+constexpr double kParallel = 1e-9;  // radians
 
 /// The objective as a function of the turned normal s alone: the turn about s that is left has its best angle in closed form.
 class NormalObjective {
@@ -94,21 +96,57 @@ double localMaximum(const Function& f, double low, double high) {
   }
 }
 
-/// The fit of every cell between the great circles that a sample of directions meets: 98 all round, on a cube put slightly askew.
-void searchCells(const PolyhedralVertex& vertex, const NormalObjective& objective, const Mat3& guess, Best& best) {
-  std::uint64_t seen = 0;  // sign patterns
-  for (int code = 0; code < 125; ++code) {
-    const Vec3 corner(code % 5 - 2, code / 5 % 5 - 2, code / 25 - 2);
-    if (corner.cwiseAbs().maxCoeff() < 2) continue;
-    const Vec3 direction = corner + Vec3(0.13, 0.07, -0.11);
-    int pattern = 0;
-    for (Index j = 0; j < vertex.polyhedron.rowCount; ++j) pattern |= (vertex.polyhedron.rows[j].dot(direction) > 0) << j;
-    if (seen >> pattern & 1) continue;
-    seen |= std::uint64_t{1} << pattern;
-    const Vec3 s = (fitRotation(vertex.pulledAt(direction), guess) * vertex.n).normalized();
-    best.offer(s, objective(s));
-  }
+/// Where the great circles across two unit vectors cross; zero where they are the same circle.
+Vec3 crossingOf(const Vec3& a, const Vec3& b) {
+  const Vec3 crossing = a.cross(b);
+  const double sine = crossing.norm();
+  return sine > kParallel ? Vec3(crossing / sine) : Vec3(Vec3::Zero());
 }
+
+/// The fit of every cell between the great circles, each once: a cell has a corner where two circles cross, or all rows are parallel.
+class CellSearch {
+ public:
+  CellSearch(const PolyhedralVertex& vertex, const NormalObjective& objective, const Mat3& guess)
+      : vertex_(vertex), objective_(objective), guess_(guess) {}
+
+  void run(Best& best) {
+    const auto& rows = vertex_.polyhedron.rows;
+    for (Index j = 0; j < vertex_.polyhedron.rowCount; ++j) {
+      for (const double side : {1, -1}) offerCellAt(side * rows[j], best);
+      for (Index i = 0; i < j; ++i) offerCellsAround(rows[i], rows[j], best);
+    }
+  }
+
+ private:
+  static constexpr double kAside = 1e-4;  // radians
+
+  void offerCellsAround(const Vec3& a, const Vec3& b, Best& best) {
+    const Vec3 crossing = crossingOf(a, b);
+    if (crossing.isZero(0)) return;
+    const Vec3 alongA = a.cross(crossing), alongB = b.cross(crossing);
+    for (const double side : {1, -1}) {
+      for (const double first : {1, -1}) {
+        for (const double second : {1, -1}) offerCellAt(side * crossing + kAside * (first * alongA + second * alongB), best);
+      }
+    }
+  }
+
+  void offerCellAt(const Vec3& direction, Best& best) {
+    unsigned pattern = 0;  // of the signs that `pulledAt` sees
+    for (Index j = 0; j < vertex_.polyhedron.rowCount; ++j) {
+      pattern |= unsigned{!std::signbit(vertex_.polyhedron.rows[j].dot(direction))} << j;
+    }
+    if (seen_[pattern]) return;
+    seen_[pattern] = true;
+    const Vec3 s = (fitRotation(vertex_.pulledAt(direction), guess_) * vertex_.n).normalized();
+    best.offer(s, objective_(s));
+  }
+
+  const PolyhedralVertex& vertex_;
+  const NormalObjective& objective_;
+  const Mat3& guess_;
+  std::bitset<std::size_t{1} << Polyhedron::kMostRows> seen_;
+};
 
 }  // namespace
 
@@ -118,14 +156,15 @@ Mat3 searchCubic(const PolyhedralVertex& vertex, const Mat3& guess) {
   Best best{(guess * vertex.n).normalized(), 0};
   best.value = objective(best.s);
   const auto offerBoth = [&](const Vec3& s) {
+    if (s.isZero(0)) return;
     best.offer(s, objective(s));
     best.offer(-s, objective(-s));
   };
   for (Index j = 0; j < polyhedron.rowCount; ++j) {
-    for (Index i = 0; i < j; ++i) offerBoth(polyhedron.rows[i].cross(polyhedron.rows[j]).normalized());
+    for (Index i = 0; i < j; ++i) offerBoth(crossingOf(polyhedron.rows[i], polyhedron.rows[j]));
     searchCircle(objective, polyhedron.rows[j], best);
   }
-  searchCells(vertex, objective, guess, best);
+  CellSearch(vertex, objective, guess).run(best);
   return objective.rotation(best.s);
 }
 

@@ -12,8 +12,8 @@ class CubicSolver {
  public:
   virtual ~CubicSolver() = default;
 
-  /// Forgets what earlier calls left. @param weights κ, one for each batch
-  virtual void begin(std::size_t batches, const std::vector<VectorLanes>& weights) = 0;
+  /// Forgets what earlier calls left.
+  virtual void begin(std::size_t batches) = 0;
 
   /// Updates the rotations; returns the regularizers κ·|R n|. Allocates nothing.
   virtual Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) = 0;

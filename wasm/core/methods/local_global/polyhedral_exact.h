@@ -10,7 +10,7 @@ class PolyhedralExact : public CubicSolver {
  public:
   explicit PolyhedralExact(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
 
-  void begin(std::size_t batches, const std::vector<VectorLanes>&) override { subgradients_.assign(batches, SubgradientLanes{}); }
+  void begin(std::size_t batches) override { subgradients_.assign(batches, SubgradientLanes{}); }
   Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) override;
 
  private:

@@ -22,8 +22,7 @@ Polyhedron Polyhedron::named(std::size_t index) {
   Polyhedron result;
   switch (static_cast<Name>(index)) {
     case kCube:
-      for (int axis = 0; axis < 3; ++axis) add(result, Vec3::Unit(axis), 1);
-      break;
+      return box(Vec3::Ones());
     case kHexagonalPrism:  // upright: y is up
       for (const Vec3& side : {Vec3(2, 0, 0), Vec3(1, 0, std::sqrt(3.0)), Vec3(-1, 0, std::sqrt(3.0))}) add(result, side, 2.0 / 3);
       add(result, Vec3::UnitY(), 1);
@@ -42,6 +41,23 @@ Polyhedron Polyhedron::named(std::size_t index) {
   return result;
 }
 
+Polyhedron Polyhedron::box(const Vec3& lengths) {
+  Polyhedron result;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (lengths[axis] > 0) add(result, Vec3::Unit(axis), lengths[axis]);
+  }
+  return result;
+}
+
+Polyhedron Polyhedron::ofRows(const Scalars& rows) {
+  Polyhedron result;
+  for (Index j = 0; 3 * j < rows.size(); ++j) {
+    const Vec3 row = rows.segment<3>(3 * j);
+    add(result, row, row.norm());
+  }
+  return result;
+}
+
 double Polyhedron::support(const Vec3& s) const {
   double sum = 0;
   for (Index j = 0; j < rowCount; ++j) sum += lengths[j] * std::abs(rows[j].dot(s));
@@ -49,9 +65,7 @@ double Polyhedron::support(const Vec3& s) const {
 }
 
 PolyhedralVertex::PolyhedralVertex(const CubicVertex& cubic) : M(cubic.M), n(cubic.n), weight(cubic.weights.maxCoeff()) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (cubic.weights[axis] > 0) add(polyhedron, Vec3::Unit(axis), cubic.weights[axis] / weight);
-  }
+  if (weight > 0) polyhedron = Polyhedron::box(cubic.weights / weight);
 }
 
 Mat3 PolyhedralVertex::pulledAt(const Vec3& s) const {

@@ -10,7 +10,7 @@ namespace whittle {
 /// A polyhedral style (2019, §4): the regularizer κ Σ_j l_j |b_j · R n| is the support function of the zonotope with edges l_j b_j, whose
 /// faces the shape takes on. Always centrally symmetric.
 struct Polyhedron {
-  static constexpr Index kMostRows = 6;
+  static constexpr Index kMostRows = 12;
 
   Index rowCount = 0;
   std::array<Vec3, kMostRows> rows;       // b_j, unit
@@ -20,6 +20,10 @@ struct Polyhedron {
   static std::vector<const char*> names();
   /// Lengths are such that a given λ pulls about as strongly as with the cube: Σ l_j = 3.
   static Polyhedron named(std::size_t index);
+  /// A box, its edges along the axes; one of length 0 is none.
+  static Polyhedron box(const Vec3& lengths);
+  /// The rows of a matrix B, xyz xyz …, no more than `kMostRows` and none of zeros: l_j b_j as they are.
+  static Polyhedron ofRows(const Scalars& rows);
 
   double support(const Vec3& s) const;
 };
