@@ -1,24 +1,10 @@
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
-import { carved, errorsOf, launch, openPage, picture } from './support/browser.ts';
-import { type PageServer, servePage } from './support/page-server.ts';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { carved, picture } from './support/browser.ts';
+import { usePage } from './support/use-page.ts';
 
-let server: PageServer;
-let browser: Browser;
+const pages = usePage();
 let page: Page;
-
-beforeAll(async () => {
-  server = await servePage();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser?.close();
-  await server?.close();
-});
-afterEach(async () => {
-  expect(errorsOf(page)).toEqual([]);
-  await page.context().close();
-});
 
 const shading = () => page.locator('input[name=shading]:checked').inputValue();
 
@@ -33,7 +19,7 @@ async function choose(title: string): Promise<void> {
 }
 
 it('makes boxes of a mesh, by the directions of a shape', async () => {
-  page = await openPage(browser, server.url);
+  page = await pages.open();
   const cubic = await picture(page);
   await choose('PolyCube');
   expect(await page.locator('.tile[aria-selected=true]').getAttribute('title')).toBe('Cube');
@@ -52,7 +38,7 @@ it('makes boxes of a mesh, by the directions of a shape', async () => {
 });
 
 it('folds a mesh, and shades it by faces unless told otherwise', async () => {
-  page = await openPage(browser, server.url);
+  page = await pages.open();
   await choose('Developable');
   expect(await shading()).toBe('flat');
   const half = await picture(page);

@@ -1,38 +1,15 @@
-import { createRequire } from 'node:module';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { launch, openPage } from './support/browser.ts';
-import { type PageServer, servePage } from './support/page-server.ts';
+import { describe, expect, it } from 'vitest';
 
-const axe = createRequire(import.meta.url).resolve('axe-core');
+import { violations } from './support/axe.ts';
+import { usePage } from './support/use-page.ts';
+
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-let server: PageServer;
-let browser: Browser;
-
-beforeAll(async () => {
-  server = await servePage();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser?.close();
-  await server?.close();
-});
-
-async function violations(page: Page): Promise<string[]> {
-  await page.addScriptTag({ path: axe });
-  return page.evaluate(async () => {
-    const { axe } = globalThis as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    const found = (await axe.run()).violations;
-    return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' | ')}`);
-  });
-}
+const pages = usePage();
 
 describe.each(['light', 'dark'] as const)('in %s', (colorScheme) => {
   it('passes axe closed and with everything open', async () => {
-    const page = await openPage(browser, server.url, { colorScheme });
+    const page = await pages.open({ colorScheme });
     expect(await violations(page)).toEqual([]);
     for (const summary of await page.locator('details > summary').all()) await summary.click();
     await page.locator('.home .menu-button').click();
@@ -40,18 +17,16 @@ describe.each(['light', 'dark'] as const)('in %s', (colorScheme) => {
     await page.keyboard.press('Escape');
     await page.keyboard.press('?');
     expect(await violations(page)).toEqual([]);
-    await page.context().close();
   });
 
   it('passes axe on a phone', async () => {
-    const page = await openPage(browser, server.url, { ...phone, colorScheme });
+    const page = await pages.open({ ...phone, colorScheme });
     expect(await violations(page)).toEqual([]);
-    await page.context().close();
   });
 });
 
 it('fits a phone: nothing overflows, the slider is within a thumb’s reach, targets are 44 px', async () => {
-  const page = await openPage(browser, server.url, phone);
+  const page = await pages.open(phone);
   const found = await page.evaluate(() => {
     const seen = (element: Element) => element.getBoundingClientRect().width > 1;
     const targets = [
@@ -72,11 +47,10 @@ it('fits a phone: nothing overflows, the slider is within a thumb’s reach, tar
   expect(found.overflow).toBeLessThanOrEqual(0);
   expect(found.small).toEqual([]);
   expect(found.slider).toBeGreaterThan(0.55);
-  await page.context().close();
 });
 
 it('goes through light and dark by its button and remembers', async () => {
-  const page = await openPage(browser, server.url, { colorScheme: 'light' });
+  const page = await pages.open({ colorScheme: 'light' });
   const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
   expect(await theme()).toBe('light');
   await page.locator('[data-act=theme]').click();
@@ -84,16 +58,15 @@ it('goes through light and dark by its button and remembers', async () => {
   expect(await theme()).toBe('dark');
   await page.reload();
   await page.waitForSelector('html[data-theme=dark]');
-  await page.context().close();
 });
 
 it('without WebGL says so and still carves', async () => {
-  const context = await browser.newContext();
+  const context = await pages.browser.newContext();
   const page = await context.newPage();
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
-  await page.goto(server.url);
+  await page.goto(pages.url);
   await page.waitForSelector('.no-canvas[role=alert]');
   expect(await page.locator('.no-canvas').innerText()).toContain('WebGL');
   await page.waitForFunction(() =>

@@ -1,44 +1,27 @@
 import { readFile } from 'node:fs/promises';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
 import {
   carved,
-  errorsOf,
   killWorker,
   lambda,
-  launch,
-  openPage,
   picture,
   solveForever,
   solving,
   status,
   workersStarted,
 } from './support/browser.ts';
-import { type PageServer, servePage } from './support/page-server.ts';
+import { usePage } from './support/use-page.ts';
 
 const cube = `# by hand
 v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n`;
 
-let server: PageServer;
-let browser: Browser;
+const pages = usePage();
 let page: Page;
 
-beforeAll(async () => {
-  server = await servePage();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser?.close();
-  await server?.close();
-});
-afterEach(async () => {
-  expect(errorsOf(page)).toEqual([]);
-  await page.context().close();
-});
-
 const open = async () => {
-  page = await openPage(browser, server.url);
+  page = await pages.open();
 };
 const act = (name: string) => page.locator(`[data-act=${name}]`);
 

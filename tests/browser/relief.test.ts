@@ -1,29 +1,14 @@
-import { createRequire } from 'node:module';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
 import { bakedGlb, normalMap, plate, pngOf } from '../fixtures/textured.ts';
-import { carved, errorsOf, launch, openPage, picture } from './support/browser.ts';
-import { type PageServer, servePage } from './support/page-server.ts';
+import { violations } from './support/axe.ts';
+import { carved, picture } from './support/browser.ts';
+import { usePage } from './support/use-page.ts';
 
-const axe = createRequire(import.meta.url).resolve('axe-core');
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-let server: PageServer;
-let browser: Browser;
+const pages = usePage();
 let page: Page;
-
-beforeAll(async () => {
-  server = await servePage();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser?.close();
-  await server?.close();
-});
-afterEach(async () => {
-  expect(errorsOf(page)).toEqual([]);
-  await page.context().close();
-});
 
 const relief = () => page.locator('.switch label', { hasText: 'Relief' });
 const tile = (name: string) => page.locator('.pictures label', { hasText: name });
@@ -31,7 +16,7 @@ const undoLabel = () => page.locator('[data-act=undo]').getAttribute('aria-label
 
 /** From the first sample, which has no texture coordinates, to a jar that carries a weave. */
 async function openRelief(options = {}): Promise<void> {
-  page = await openPage(browser, server.url, options);
+  page = await pages.open(options);
   await relief().click();
   await page.getByRole('button', { name: 'Try the jar' }).click();
   await page.waitForSelector('.pictures');
@@ -60,7 +45,7 @@ async function chosen(name: string): Promise<void> {
 }
 
 it('says why a mesh has no relief and offers one that can; then a click is a relief, one entry each', async () => {
-  page = await openPage(browser, server.url);
+  page = await pages.open();
   await relief().click();
   const notice = page.locator('[role=status] .notice');
   expect(await notice.innerText()).toContain('this mesh has none');
@@ -152,16 +137,7 @@ it.each([
   ['on a phone', phone],
 ] as const)('passes axe %s', async (_, options) => {
   await openRelief(options);
-  await page.addScriptTag({ path: axe });
-  const violations = await page.evaluate(async () => {
-    const { axe } = globalThis as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    return (await axe.run()).violations.map(
-      ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' | ')}`,
-    );
-  });
-  expect(violations).toEqual([]);
+  expect(await violations(page)).toEqual([]);
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);
 });

@@ -1,39 +1,24 @@
 import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
 import { pixelsOfMap, sphereMap } from '../../src/styles/captures.ts';
 import { isPng, writePng } from '../../src/styles/png.ts';
 import { unit } from '../../src/styles/vectors.ts';
-import { carved, errorsOf, launch, openPage, picture } from './support/browser.ts';
-import { type PageServer, servePage } from './support/page-server.ts';
+import { violations } from './support/axe.ts';
+import { carved, picture } from './support/browser.ts';
+import { usePage } from './support/use-page.ts';
 
-const axe = createRequire(import.meta.url).resolve('axe-core');
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-let server: PageServer;
-let browser: Browser;
+const pages = usePage();
 let page: Page;
-
-beforeAll(async () => {
-  server = await servePage();
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser?.close();
-  await server?.close();
-});
-afterEach(async () => {
-  expect(errorsOf(page)).toEqual([]);
-  await page.context().close();
-});
 
 const act = (name: string) => page.locator(`[data-act=${name}]`);
 const undoLabel = () => act('undo').getAttribute('aria-label');
 
 /** The page with a style on and all its pictures taken. */
 async function openStyles(options = {}): Promise<void> {
-  page = await openPage(browser, server.url, options);
+  page = await pages.open(options);
   await page.locator('.switch label').nth(1).click();
   await page.waitForSelector('.tile[aria-selected=true]');
   await carved(page);
@@ -200,17 +185,6 @@ it('colours the mesh by what it measures and says what the colours mean', async 
   expect(await picture(page)).toBe(clay);
 });
 
-async function violations(): Promise<string[]> {
-  await page.addScriptTag({ path: axe });
-  return page.evaluate(async () => {
-    const { axe } = globalThis as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    const found = (await axe.run()).violations;
-    return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' | ')}`);
-  });
-}
-
 describe.each([
   ['in light', { colorScheme: 'light' }],
   ['in dark', { colorScheme: 'dark' }],
@@ -218,12 +192,12 @@ describe.each([
 ] as const)('%s', (_, options) => {
   it('passes axe with the gallery, the painter and the measures open', async () => {
     await openStyles(options);
-    expect(await violations()).toEqual([]);
+    expect(await violations(page)).toEqual([]);
     await act('paint').click();
     for (const summary of await page.locator('details > summary').all()) await summary.click();
     for (const measure of ['Angle after', 'Curvature after']) {
       await page.locator('.chips label', { hasText: measure }).click();
-      expect(await violations()).toEqual([]);
+      expect(await violations(page)).toEqual([]);
     }
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(overflow).toBeLessThanOrEqual(0);

@@ -176,6 +176,9 @@ TEST_CASE("weights of 1, no turn and B = I are the default, to the bit") {
   CHECK(largestMove(run(mesh, style).positions, plain.positions) < kSingle);
 }
 
+/// What single precision leaves of energies where the dual has a gap: rotations are not stationary at a kink.
+constexpr double kEnergyRounding = 1e-7;
+
 TEST_CASE("energy never rises, the same bits twice, nothing claimed on the way, whatever the style") {
   const TriangleMesh mesh = bent(sphere(3));
   for (Style style : awkwardStyles(mesh)) {
@@ -192,7 +195,7 @@ TEST_CASE("energy never rises, the same bits twice, nothing claimed on the way, 
         const long claimed = allocationCount();
         do {
           REQUIRE(session.step(report).ok());
-          REQUIRE(report.energy <= before * (1 + 1e-8));
+          REQUIRE(report.energy <= before * (1 + kEnergyRounding));
           before = report.energy;
         } while (report.outcome == Outcome::running);
         CHECK(allocationCount() == claimed);
