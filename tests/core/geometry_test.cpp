@@ -72,6 +72,37 @@ std::vector<Mat3> matricesOf(const std::vector<QuaternionLanes>& rotations, Inde
   return matrices;
 }
 
+/// What a local step sees of an edge set with these rotations.
+struct Looked {
+  double energy = 0;
+  std::vector<MatrixLanes> covariances;
+  LaneRows residual;
+};
+
+/// @param size how many elements at a time
+Looked look(const EdgeSet& edges, const LaneRows& displacements, const std::vector<QuaternionLanes>& rotations, Index size) {
+  Looked result{0, std::vector<MatrixLanes>(rotations.size(), zeroMatrices()), LaneRows(displacements.size())};
+  const StiffEdges& stiff = edges.stiffEdges();
+  Points exact(stiff.vertices().size(), 3);
+  for (Index place = 0; place < exact.rows(); ++place) {
+    const LaneRow& row = displacements[stiff.vertices()[place]];
+    exact.row(place) << row.x, row.y, row.z;
+  }
+  result.energy = edges.visits() * stiff.addForces(exact, result.residual);
+  for (Index first = 0; first < edges.elementCount(); first += size) {
+    const ElementRange range{first, std::min(first + size, edges.elementCount())};
+    MatrixLanes* covariances = &result.covariances[range.firstBatch()];
+    result.energy += edges.gatherCovariances(displacements, range, covariances, result.residual);
+    std::vector<MatrixLanes> turns;
+    for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b) {
+      turns.push_back(turnOf(rotations[b]));
+      result.energy -= sumOf(toDouble(traceOfProduct(turns.back(), edges.restCovariances()[b] + result.covariances[b])));
+    }
+    edges.addTurned(turns.data(), range, result.residual);
+  }
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("half cotangents of known triangles") {
@@ -126,22 +157,18 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
     for (const TriangleMesh& rest : {bent(sphere(1)), bent(grid(4)), moebiusStrip(9), fan(40)}) {
       const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
       const auto edges = makeEdgeSet(kind, rest, c);
-      const ElementRange all = edges->allElements();
       const std::vector<QuaternionLanes> rotations = noisyRotations(edges->elementCount());
       const std::vector<Mat3> R = matricesOf(rotations, edges->elementCount());
-      const Points output = bent(rest).positions;
+      const LaneRows displacements = toRows(bent(rest).positions - rest.positions);
+      const Points output = rest.positions + toPoints(displacements, rest.vertexCount());
 
-      std::vector<CovarianceLanes> M(rotations.size(), CovarianceLanes{});
-      std::vector<LaneRow> residual(rest.vertexCount());
-      double energy = edges->restEnergy() + edges->gatherCovariances(output, all, M.data(), residual);
-      for (std::size_t b = 0; b < M.size(); ++b) energy -= sumOf(traces(rotations[b], M[b]));
-      CHECK(energy == doctest::Approx(energyByDefinition(kind, rest, output, R)).epsilon(1e-6));
+      const Looked here = look(*edges, displacements, rotations, edges->elementCount());
+      CHECK(here.energy == doctest::Approx(energyByDefinition(kind, rest, output, R)).epsilon(1e-6));
 
-      edges->addRotated(rotations, all, residual);
-      const double visits = kind == EdgeSetKind::faces ? 1 : 3;
+      const double visits = edges->visits();
       const double h = 1e-5;
       for (Index v = 0; v < rest.vertexCount(); v += 5) {
-        const float components[] = {residual[v].x, residual[v].y, residual[v].z};
+        const float components[] = {here.residual[v].x, here.residual[v].y, here.residual[v].z};
         for (int axis = 0; axis < 3; ++axis) {
           Points plus = output, minus = output;
           plus(v, axis) += h;
@@ -151,11 +178,9 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
         }
       }
       // The Hessian is the Laplacian: the residual changes by −L ΔV.
-      std::vector<LaneRow> elsewhere(rest.vertexCount());
-      edges->gatherCovariances(rest.positions, all, M.data(), elsewhere);
-      edges->addRotated(rotations, all, elsewhere);
+      const Looked atRest = look(*edges, LaneRows(displacements.size()), rotations, edges->elementCount());
       const Points change = denseLaplacian(rest) * (output - rest.positions);
-      CHECK((toPoints(residual) - toPoints(elsewhere) + change).norm() < 1e-5);
+      CHECK((toPoints(here.residual, rest.vertexCount()) - toPoints(atRest.residual, rest.vertexCount()) + change).norm() < 1e-5);
     }
   }
 }
@@ -166,39 +191,40 @@ TEST_CASE("ranges of elements add up to all of them") {
     const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
     const auto edges = makeEdgeSet(kind, rest, c);
     const std::vector<QuaternionLanes> rotations = noisyRotations(edges->elementCount());
-    const Points output = bent(rest).positions;
-    const auto gather = [&](Index size, std::vector<CovarianceLanes>& M, std::vector<LaneRow>& residual) {
-      double energy = 0;
-      for (Index first = 0; first < edges->elementCount(); first += size) {
-        const ElementRange range{first, std::min(first + size, edges->elementCount())};
-        energy += edges->gatherCovariances(output, range, &M[range.firstBatch()], residual);
-        edges->addRotated(rotations, range, residual);
-      }
-      return energy;
-    };
-    std::vector<CovarianceLanes> M(rotations.size()), piecewise = M;
-    std::vector<LaneRow> residual(rest.vertexCount()), addedUp = residual;
-    const double energy = gather(edges->elementCount(), M, residual);
-    CHECK(gather(8, piecewise, addedUp) == doctest::Approx(energy).epsilon(1e-12));
-    CHECK(std::memcmp(M.data(), piecewise.data(), M.size() * sizeof(CovarianceLanes)) == 0);
-    CHECK((toPoints(residual) - toPoints(addedUp)).cwiseAbs().maxCoeff() < 1e-6);
+    const LaneRows displacements = toRows(bent(rest).positions - rest.positions);
+    const Looked whole = look(*edges, displacements, rotations, edges->elementCount());
+    const Looked pieces = look(*edges, displacements, rotations, 8);
+    CHECK(pieces.energy == doctest::Approx(whole.energy).epsilon(1e-12));
+    CHECK(std::memcmp(whole.covariances.data(), pieces.covariances.data(), whole.covariances.size() * sizeof(MatrixLanes)) == 0);
+    const Index n = rest.vertexCount();
+    CHECK((toPoints(whole.residual, n) - toPoints(pieces.residual, n)).cwiseAbs().maxCoeff() < 1e-6);
   }
 }
 
-TEST_CASE("the rest shape has no energy and asks for nothing") {
+TEST_CASE("the rest shape has no energy and asks for nothing, to the bit") {
   for (const EdgeSetKind kind : {EdgeSetKind::spokesAndRims, EdgeSetKind::faces}) {
     for (const TriangleMesh& rest : {bent(sphere(2)), moebiusStrip(9), fan(200)}) {
       const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
       const auto edges = makeEdgeSet(kind, rest, c);
-      const ElementRange all = edges->allElements();
       const std::vector<QuaternionLanes> identity(batchCount(edges->elementCount()), identityRotations());
-      std::vector<CovarianceLanes> M(identity.size(), CovarianceLanes{});
-      std::vector<LaneRow> residual(rest.vertexCount());
-      double energy = edges->restEnergy() + edges->gatherCovariances(rest.positions, all, M.data(), residual);
-      for (std::size_t b = 0; b < M.size(); ++b) energy -= sumOf(traces(identity[b], M[b]));
-      CHECK(std::abs(energy) < 1e-13);
-      edges->addRotated(identity, all, residual);
-      CHECK(toPoints(residual).cwiseAbs().maxCoeff() < 1e-5);
+      const Looked atRest = look(*edges, toRows(Points::Zero(rest.vertexCount(), 3)), identity, edges->elementCount());
+      CHECK(atRest.energy == 0);
+      CHECK(toPoints(atRest.residual, rest.vertexCount()).isZero(0));
     }
+  }
+}
+
+TEST_CASE("what fills up the last batch adds nothing to any vertex") {
+  for (const EdgeSetKind kind : {EdgeSetKind::spokesAndRims, EdgeSetKind::faces}) {
+    const TriangleMesh rest = fan(9);  // 12 vertices but 10 faces
+    const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
+    const auto edges = makeEdgeSet(kind, rest, c);
+    const Index count = edges->elementCount();
+    std::vector<QuaternionLanes> rotations = noisyRotations(count), other = rotations;
+    for (Index k = count; k < 4 * static_cast<Index>(other.size()); ++k) setRotation(other[k / 4], k % 4, Noise().rotation());
+    const LaneRows displacements = toRows(bent(rest).positions - rest.positions);
+    const Looked one = look(*edges, displacements, rotations, count), two = look(*edges, displacements, other, count);
+    CHECK(one.energy == two.energy);
+    CHECK(toPoints(one.residual, rest.vertexCount()) == toPoints(two.residual, rest.vertexCount()));
   }
 }

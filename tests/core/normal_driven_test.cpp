@@ -17,8 +17,9 @@ const int kAll[] = {kArap, kFarap, kAcap};
 
 double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().norm().maxCoeff(); }
 
+/// But for single precision, of the energy and of the terms that cancel in it (about 1 in the unit frame).
 void requireMonotone(const std::vector<double>& energies) {
-  for (std::size_t k = 1; k < energies.size(); ++k) REQUIRE(energies[k] <= energies[k - 1] + 1e-8 * std::abs(energies[0]) + 1e-13);
+  for (std::size_t k = 1; k < energies.size(); ++k) REQUIRE(energies[k] <= energies[k - 1] + 1e-7 * (std::abs(energies[0]) + 1));
 }
 
 GaussMapData sphereStyle(int levels) {
@@ -137,7 +138,7 @@ TEST_CASE("scales make growing free, rotations alone do not") {
     const double error = largestMove(positions, mesh.positions * similarity.transpose());
     if (regularizer == kAcap) {
       CHECK(error < 1e-4);
-      CHECK(std::abs(report.energy) < 1e-8);
+      CHECK(std::abs(report.energy) < 1e-5);
     } else {
       CHECK(error > 1e-2);
       CHECK(report.energy > 1e-3);

@@ -39,24 +39,20 @@ struct Solved {
 };
 
 Solved solve(const std::vector<PolyhedralVertex>& vertices, const Polyhedron& polyhedron) {
-  CovarianceLanes covariances;
   CubicLanes lanes;
   QuaternionLanes rotations;
   for (int lane = 0; lane < 4; ++lane) {
-    setMatrix(covariances, lane, vertices[lane].M);
+    setMatrix(lanes.M, lane, vertices[lane].M);
     setVector(lanes.n, lane, vertices[lane].n);
     setVector(lanes.weights, lane, Vec3::Constant(vertices[lane].weight));
     setRotation(rotations, lane, fitRotation(vertices[lane].M));
   }
-  const ScaledCovariances scaled(covariances);
-  lanes.M = scaled.M;
-  lanes.weights = splat(1) / scaled.scale * lanes.weights;
   SubgradientLanes u{};
   QuaternionLanes climbed = rotations;
   const LaneMask certified = climbPolyhedral(lanes.M, lanes.n, lanes.weights.x, polyhedron, u, climbed).certified;
   PolyhedralExact solver(polyhedron);
   solver.begin(1);
-  const Lanes regularizers = scaled.scale * solver.solve(0, lanes, rotations);
+  const Lanes regularizers = solver.solve(0, lanes, rotations);
   Solved result;
   for (int lane = 0; lane < 4; ++lane) {
     result.R[lane] = rotationAt(rotations, lane);

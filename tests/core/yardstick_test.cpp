@@ -251,8 +251,9 @@ TEST_CASE("yardstick: linear solves agree with Eigen's in double precision") {
 
     ConstrainedQuadratic system;
     REQUIRE(system.prepare(L, held).ok());
-    Points ours(mesh.vertexCount(), 3);
-    system.correct(toRows(residual), Points::Zero(mesh.vertexCount(), 3), ours);
+    LaneRows moves = toRows(residual);
+    system.correct(moves);
+    const Points ours = toPoints(moves, mesh.vertexCount());
 
     // Held rows and columns become those of the identity, with zero on the right.
     SparseMatrix A = L;

@@ -1,24 +1,19 @@
 #pragma once
 
-#include <vector>
-
-#include "base/lanes.h"
-#include "base/types.h"
+#include "geometry/lane_algebra.h"
 
 namespace whittle::testing {
 
-/// Points rounded to rows in single precision, and back.
-inline std::vector<LaneRow> toRows(const Points& points) {
-  std::vector<LaneRow> rows;
-  for (Index i = 0; i < points.rows(); ++i) {
-    rows.push_back({static_cast<float>(points(i, 0)), static_cast<float>(points(i, 1)), static_cast<float>(points(i, 2)), 0});
-  }
+/// Points rounded to rows in single precision, filled up to whole batches, and back.
+inline LaneRows toRows(const Points& points) {
+  LaneRows rows(4 * batchCount(static_cast<Index>(points.rows())));
+  for (Index i = 0; i < points.rows(); ++i) setRow(rows[i], points.row(i).transpose());
   return rows;
 }
 
-inline Points toPoints(const std::vector<LaneRow>& rows) {
-  Points points(rows.size(), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) points.row(i) << rows[i].x, rows[i].y, rows[i].z;
+inline Points toPoints(const LaneRows& rows, Index count) {
+  Points points(count, 3);
+  for (Index i = 0; i < count; ++i) points.row(i) << rows[i].x, rows[i].y, rows[i].z;
   return points;
 }
 

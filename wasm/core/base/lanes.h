@@ -54,8 +54,17 @@ inline LaneMask select(LaneMask mask, LaneMask yes, LaneMask no) { return (yes &
 /// Zero where the mask is not set.
 inline Lanes keep(LaneMask mask, Lanes v) { return (Lanes)((LaneMask)v & mask); }
 
+/// Of two the smaller, the larger; b where one is not a number.
+#if defined(__wasm_simd128__)
+inline Lanes minimum(Lanes a, Lanes b) { return (Lanes)wasm_f32x4_pmin((v128_t)b, (v128_t)a); }
+inline Lanes maximum(Lanes a, Lanes b) { return (Lanes)wasm_f32x4_pmax((v128_t)b, (v128_t)a); }
+#elif defined(__SSE2__)
+inline Lanes minimum(Lanes a, Lanes b) { return (Lanes)_mm_min_ps((__m128)a, (__m128)b); }
+inline Lanes maximum(Lanes a, Lanes b) { return (Lanes)_mm_max_ps((__m128)a, (__m128)b); }
+#else
 inline Lanes minimum(Lanes a, Lanes b) { return select(a < b, a, b); }
 inline Lanes maximum(Lanes a, Lanes b) { return select(a > b, a, b); }
+#endif
 
 inline Lanes absolute(Lanes v) { return (Lanes)((LaneMask)v & INT32_MAX); }
 /// The size of `size` (not negative) with the sign of `sign`.

@@ -9,7 +9,7 @@ Gauge::Gauge(const Components& components, const std::vector<Index>& handles, co
   for (const Index v : handles) floatingOf[components.ofVertex[v]] = kHeld;
 
   const Index vertexCount = static_cast<Index>(rest.rows());
-  floatingPart_.resize(vertexCount);
+  floatingPart_.assign(4 * batchCount(vertexCount), kHeld);
   for (Index v = 0; v < vertexCount; ++v) {
     Index& part = floatingOf[components.ofVertex[v]];
     if (part == kUnseen) {
@@ -35,6 +35,7 @@ Gauge::Gauge(const Components& components, const std::vector<Index>& handles, co
 
   restCentroids_.resize(pins_.size(), 3);
   shifts_.resize(pins_.size(), 3);
+  laneShifts_.assign(pins_.size() + 1, {});
   sumCentroids(rest, restCentroids_);
 }
 
@@ -50,6 +51,21 @@ void Gauge::restoreCentroids(Points& positions) {
   shifts_ = restCentroids_ - shifts_;
   for (Index v = 0; v < positions.rows(); ++v) {
     if (floatingPart_[v] >= 0) positions.row(v) += shifts_.row(floatingPart_[v]);
+  }
+}
+
+void Gauge::balance(const LaneRows& displacements, const LaneRows& moves) {
+  if (pins_.empty()) return;
+  shifts_.setZero();
+  for (Index v = 0; v < weights_.size(); ++v) {
+    const Index part = floatingPart_[v];
+    if (part < 0) continue;
+    const Lanes there = load(&displacements[v]) + load(&moves[v]);
+    shifts_.row(part) -= weights_[v] * Eigen::RowVector3d(there[0], there[1], there[2]);
+  }
+  for (Index part = 0; part < shifts_.rows(); ++part) {
+    const auto shift = shifts_.row(part).cast<float>();
+    laneShifts_[part + 1] = {shift[0], shift[1], shift[2], 0};
   }
 }
 

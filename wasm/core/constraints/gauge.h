@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "geometry/lane_algebra.h"
 #include "mesh/adjacency.h"
 
 namespace whittle {
@@ -20,14 +21,21 @@ class Gauge {
   /// Moves each part without a handle so that its centroid lies where it lay at rest. Allocates nothing.
   void restoreCentroids(Points& positions);
 
+  /// Finds how far each part without a handle has to move, besides these moves of displaced vertices, for its centroid to lie where it
+  /// lay at rest. Allocates nothing.
+  void balance(const LaneRows& displacements, const LaneRows& moves);
+  /// That of a vertex, zero where a handle holds its part.
+  Lanes shift(std::size_t vertex) const { return load(&laneShifts_[floatingPart_[vertex] + 1]); }
+
  private:
   void sumCentroids(const Points& positions, Points& centroids) const;
 
-  std::vector<Index> floatingPart_;  // #V, index of the part without handle, or −1
+  std::vector<Index> floatingPart_;  // #V, index of the part without handle, or −1; filled up to whole batches
   std::vector<Index> pins_;          // #parts without handle
   Scalars weights_;                  // #V, sums to 1 in each part
   Points restCentroids_;             // #parts without handle ×3
   Points shifts_;
+  std::vector<LaneRow> laneShifts_;  // the same in single precision, after one of zero
 };
 
 }  // namespace whittle

@@ -5,6 +5,7 @@
 
 #include "geometry/cotangent.h"
 #include "geometry/lane_algebra.h"
+#include "geometry/stiff_edges.h"
 #include "mesh/triangle_mesh.h"
 
 namespace whittle {
@@ -23,45 +24,56 @@ struct ElementRange {
   std::size_t endBatch() const { return batchCount(end); }
 };
 
-/// The energy Σ_k Σ_{e∈N(k)} c_e |R_k d_e − u_e|² over rotations R_k, rest edges d and output edges u, four elements k at a time.
-/// Neither kind lists edges: with g = Σ ±c_e d_e at the corners of a face (they sum to zero), everything is sums of g times
-/// output edges and of rotated g.
+/// The energy Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² over rotations R_k (and scales s_k), rest edges d and output edges u, four elements k
+/// at a time. Neither kind lists edges: with g = Σ ±c_e d_e at the corners of a face (they sum to zero), everything is sums of g times
+/// output edges and of turned g.
+///
+/// All is written in changes from the rest shape: the displacements δ = V − V₀ and the turns T_k = s_k R_k − I. What single precision
+/// rounds off is then a share of the change, and of nothing it is nothing: at rest energy and residual are exactly zero. With s = 1 the
+/// energy is Σ_k Σ_e c_e |δu_e|² − Σ_k tr(T_k M_k), and the local step maximises tr(R_k M_k), M_k = M⁰_k + M′_k for
+/// - the covariance of the rest shape, M⁰_k = 2 Σ_{e∈N(k)} c_e d_e d_eᵀ,
+/// - what the displacements add to it, M′_k = 2 Σ_{e∈N(k)} c_e d_e δu_eᵀ.
+///
+/// Displacements and residual are rows (#V, filled up to whole batches).
 ///
 /// Elements come in ranges, so that a caller can take a few through the whole of its step before the next ones: what they need is
 /// then still in the nearest cache.
 class EdgeSet {
  public:
+  EdgeSet(Index elementCount, Index vertexCount)
+      : elementCount_(elementCount), restCovariances_(batchCount(elementCount)), stiff_(vertexCount) {}
   virtual ~EdgeSet() = default;
 
   /// Rotations: one per vertex or one per face.
-  virtual Index elementCount() const = 0;
-  ElementRange allElements() const { return {0, elementCount()}; }
+  Index elementCount() const { return elementCount_; }
+  ElementRange allElements() const { return {0, elementCount_}; }
 
-  /// Σ_k Σ_e c_e |d_e|², rounded like the covariances: the energy of the rest shape is zero.
-  virtual double restEnergy() const = 0;
+  /// M⁰_k, zero for what fills up the last batch.
+  const std::vector<SymmetricLanes>& restCovariances() const { return restCovariances_; }
 
-  /// M_k = 2 Σ_{e∈N(k)} c_e d_e u_eᵀ for the elements of a range (the local step maximises tr(R_k M_k)), from `covariances[0]` on, zero
-  /// for what fills up the last batch. Adds their part of −L (V − V₀), L the cotangent Laplacian, to the residual (#V) of the global
-  /// step. Returns their part of Σ_k Σ_e c_e |u_e|².
-  virtual double gatherCovariances(const Points& output, ElementRange range, CovarianceLanes* covariances,
-                                   std::vector<LaneRow>& residual) const = 0;
+  /// What `gatherCovariances` leaves out of −L δ and the energy, which counts each of them so often.
+  const StiffEdges& stiffEdges() const { return stiff_; }
+  virtual int visits() const = 0;
 
-  /// Adds the part of the turns, Σ (s_k R_k − I) g over a range: with that of all elements the residual is b − L V, which is the energy's
-  /// downhill gradient over twice the number of elements that see each face. Written in changes it is exactly zero at rest.
-  /// @param rotations, growths of all elements; s_k − 1 where the energy lets its elements grow, Σ c_e |s_k R_k d_e − u_e|², empty
-  ///   where all s_k are 1
-  virtual void addSimilar(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths, ElementRange range,
-                          std::vector<LaneRow>& residual) const = 0;
-  /// The same without scales.
-  void addRotated(const std::vector<QuaternionLanes>& rotations, ElementRange range, std::vector<LaneRow>& residual) const {
-    addSimilar(rotations, {}, range, residual);
-  }
+  /// M′_k for the elements of a range from `covariances[0]` on, zero for what fills up the last batch. Adds their part of −L δ, L the
+  /// cotangent Laplacian, to the residual (#V) of the global step. Returns their part of Σ_k Σ_e c_e |δu_e|².
+  virtual double gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
+                                   LaneRows& residual) const = 0;
+
+  /// Adds the part of the turns of a range, Σ T_k g: with that of all elements the residual is b − L V, which is the energy's downhill
+  /// gradient over twice the number of elements that see each face.
+  /// @param turns T_k from the first of the range on
+  virtual void addTurned(const MatrixLanes* turns, ElementRange range, LaneRows& residual) const = 0;
+
+ protected:
+  void addStiffEdge(Index a, Index b, double weight) { stiff_.add(a, b, weight); }
+  void setRestCovariance(Index element, const Mat3& value) { setSymmetric(restCovariances_[element / 4], element % 4, value); }
+
+ private:
+  Index elementCount_;
+  std::vector<SymmetricLanes> restCovariances_;
+  StiffEdges stiff_;
 };
-
-/// s R − I of one batch.
-inline MatrixLanes turnAt(const std::vector<QuaternionLanes>& rotations, const std::vector<Lanes>& growths, std::size_t batch) {
-  return growths.empty() ? turnOf(rotations[batch]) : turnOf(rotations[batch], growths[batch]);
-}
 
 std::unique_ptr<EdgeSet> makeEdgeSet(EdgeSetKind kind, const TriangleMesh& rest, const CornerScalars& halfCotangents);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "base/lanes.h"
 #include "base/types.h"
 
@@ -14,9 +16,12 @@ struct MatrixLanes {
   Lanes m[3][3];
 };
 
-/// Covariances are kept in double precision: energies are their small differences.
-struct CovarianceLanes {
-  DoubleLanes m[3][3];
+/// Vectors in single precision one after the other, filled up to whole batches where elements are taken four at a time.
+using LaneRows = std::vector<LaneRow>;
+
+/// Which rows the lanes of a batch are.
+struct RowIndices {
+  Index of[4];
 };
 
 inline void setRow(LaneRow& row, const Vec3& v) {
@@ -34,6 +39,33 @@ struct SymmetricLanes {
 
 /// How many batches of four hold so many elements; the last one is filled up with elements that stand for nothing.
 inline std::size_t batchCount(Index elements) { return (static_cast<std::size_t>(elements) + 3) / 4; }
+
+/// Four rows, one a lane.
+inline VectorLanes lanesOf(Lanes a, Lanes b, Lanes c, Lanes d) {
+  transpose(a, b, c, d);
+  return {a, b, c};
+}
+
+/// Four rows that follow each other.
+inline VectorLanes loadRows(const LaneRow* rows) { return lanesOf(load(rows), load(rows + 1), load(rows + 2), load(rows + 3)); }
+
+inline VectorLanes loadRows(const LaneRow* rows, const RowIndices& at) {
+  return lanesOf(load(rows + at.of[0]), load(rows + at.of[1]), load(rows + at.of[2]), load(rows + at.of[3]));
+}
+
+/// Adds the lanes of v to four rows that follow each other.
+inline void addToRows(LaneRow* rows, const VectorLanes& v) {
+  Lanes lanes[] = {v.x, v.y, v.z, splat(0)};
+  transpose(lanes[0], lanes[1], lanes[2], lanes[3]);
+  for (int lane = 0; lane < 4; ++lane) store(rows + lane, load(rows + lane) + lanes[lane]);
+}
+
+/// Adds the lanes of v to four rows, one after the other: they may be the same.
+inline void addToRows(LaneRow* rows, const RowIndices& at, const VectorLanes& v) {
+  Lanes lanes[] = {v.x, v.y, v.z, splat(0)};
+  transpose(lanes[0], lanes[1], lanes[2], lanes[3]);
+  for (int lane = 0; lane < 4; ++lane) store(rows + at.of[lane], load(rows + at.of[lane]) + lanes[lane]);
+}
 
 inline VectorLanes operator+(const VectorLanes& a, const VectorLanes& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline VectorLanes operator-(const VectorLanes& a, const VectorLanes& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -60,6 +92,26 @@ inline VectorLanes operator*(const MatrixLanes& A, const VectorLanes& v) {
           m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
 }
 
+/// A + v wᵀ
+inline void addOuter(MatrixLanes& A, const VectorLanes& v, const VectorLanes& w) {
+  const Lanes rows[] = {v.x, v.y, v.z};
+  for (int i = 0; i < 3; ++i) A.m[i][0] += rows[i] * w.x, A.m[i][1] += rows[i] * w.y, A.m[i][2] += rows[i] * w.z;
+}
+
+/// Of each matrix, the size of its largest entry.
+inline Lanes largestEntries(const MatrixLanes& A) {
+  Lanes largest = splat(0);
+  for (const auto& row : A.m) {
+    for (const Lanes& entry : row) largest = maximum(largest, absolute(entry));
+  }
+  return largest;
+}
+
+inline MatrixLanes zeroMatrices() {
+  const Lanes zero = splat(0);
+  return {{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
+}
+
 inline MatrixLanes operator*(const MatrixLanes& A, const MatrixLanes& B) {
   MatrixLanes C;
   for (int i = 0; i < 3; ++i) {
@@ -84,16 +136,6 @@ inline MatrixLanes turnOf(const QuaternionLanes& q) {
   const Lanes xx = x2 * q.x, yy = y2 * q.y, zz = z2 * q.z, xy = x2 * q.y, xz = x2 * q.z, yz = y2 * q.z;
   const Lanes wx = x2 * q.w, wy = y2 * q.w, wz = z2 * q.w;
   return {{{-(yy + zz), xy - wz, xz + wy}, {xy + wz, -(xx + zz), yz - wx}, {xz - wy, yz + wx, -(xx + yy)}}};
-}
-
-/// s R − I for a scale s = 1 + growth, exactly zero for the identity without growth.
-inline MatrixLanes turnOf(const QuaternionLanes& q, Lanes growth) {
-  MatrixLanes turn = turnOf(q);
-  for (auto& row : turn.m) {
-    for (Lanes& entry : row) entry += growth * entry;
-  }
-  for (int i = 0; i < 3; ++i) turn.m[i][i] += growth;
-  return turn;
 }
 
 inline MatrixLanes toMatrix(const QuaternionLanes& q) {
@@ -128,29 +170,39 @@ inline QuaternionLanes turned(const QuaternionLanes& q, const VectorLanes& w) {
   return normalized(t);
 }
 
-inline MatrixLanes toSingle(const CovarianceLanes& M) {
-  MatrixLanes result;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) result.m[i][j] = toSingle(M.m[i][j]);
-  }
-  return result;
+inline Lanes trace(const MatrixLanes& A) { return A.m[0][0] + A.m[1][1] + A.m[2][2]; }
+
+/// tr(A B)
+inline Lanes traceOfProduct(const MatrixLanes& A, const MatrixLanes& B) {
+  Lanes rows[3];
+  for (int i = 0; i < 3; ++i) rows[i] = A.m[i][0] * B.m[0][i] + A.m[i][1] * B.m[1][i] + A.m[i][2] * B.m[2][i];
+  return rows[0] + rows[1] + rows[2];
 }
 
-/// tr(R M), as exact in q as double precision has it (q need not be of unit length).
-inline DoubleLanes traces(const QuaternionLanes& q, const CovarianceLanes& M) {
-  const auto& m = M.m;
-  const DoubleLanes w = toDouble(q.w), x = toDouble(q.x), y = toDouble(q.y), z = toDouble(q.z);
-  const DoubleLanes ww = w * w, xx = x * x, yy = y * y, zz = z * z;
-  const DoubleLanes diagonal = m[0][0] * (ww + xx - yy - zz) + m[1][1] * (ww - xx + yy - zz) + m[2][2] * (ww - xx - yy + zz);
-  const DoubleLanes even = x * y * (m[0][1] + m[1][0]) + x * z * (m[0][2] + m[2][0]) + y * z * (m[1][2] + m[2][1]);
-  const DoubleLanes odd = x * (m[1][2] - m[2][1]) + y * (m[2][0] - m[0][2]) + z * (m[0][1] - m[1][0]);
-  return (diagonal + 2 * (even + w * odd)) / (ww + xx + yy + zz);
+inline Lanes traceOfProduct(const MatrixLanes& A, const SymmetricLanes& S) {
+  const auto& a = A.m;
+  return (a[0][0] * S.xx + a[1][1] * S.yy + a[2][2] * S.zz) +
+         ((a[0][1] + a[1][0]) * S.xy + (a[0][2] + a[2][0]) * S.xz + (a[1][2] + a[2][1]) * S.yz);
 }
 
-inline void setMatrix(CovarianceLanes& M, int lane, const Mat3& value) {
+inline MatrixLanes operator+(const SymmetricLanes& S, const MatrixLanes& A) {
+  const auto& m = A.m;
+  return {{{S.xx + m[0][0], S.xy + m[0][1], S.xz + m[0][2]},
+           {S.xy + m[1][0], S.yy + m[1][1], S.yz + m[1][2]},
+           {S.xz + m[2][0], S.yz + m[2][1], S.zz + m[2][2]}}};
+}
+
+inline void setMatrix(MatrixLanes& M, int lane, const Mat3& value) {
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) M.m[i][j][lane] = value(i, j);
+    for (int j = 0; j < 3; ++j) M.m[i][j][lane] = static_cast<float>(value(i, j));
   }
+}
+
+/// The symmetric part of a matrix.
+inline void setSymmetric(SymmetricLanes& S, int lane, const Mat3& value) {
+  const auto mean = [&](int i, int j) { return static_cast<float>(0.5 * (value(i, j) + value(j, i))); };
+  S.xx[lane] = mean(0, 0), S.xy[lane] = mean(0, 1), S.xz[lane] = mean(0, 2);
+  S.yy[lane] = mean(1, 1), S.yz[lane] = mean(1, 2), S.zz[lane] = mean(2, 2);
 }
 
 inline Mat3 matrixAt(const MatrixLanes& A, int lane) {

@@ -15,8 +15,6 @@ constexpr double kConverged = 1e-10;
 /// In single precision; at the maximum the error falls with |w|³.
 constexpr float kConvergedLanes = 1e-4f;
 constexpr float kStill = kTurnOfRounding * kTurnOfRounding;
-/// Size of a covariance that counts as zero.
-constexpr float kSmallest = 1e-30f;
 
 }  // namespace
 
@@ -39,18 +37,7 @@ Mat3 fitRotation(const Mat3& M, const Mat3& guess) {
   return fitRotation(M);
 }
 
-ScaledCovariances::ScaledCovariances(const CovarianceLanes& covariances) : M(toSingle(covariances)), scale(splat(kSmallest)) {
-  for (const auto& row : M.m) {
-    for (const Lanes& entry : row) scale = maximum(scale, absolute(entry));
-  }
-  const Lanes inverse = splat(1) / scale;
-  for (auto& row : M.m) {
-    for (Lanes& entry : row) entry *= inverse;
-  }
-}
-
-void fitRotations(const ScaledCovariances& covariances, QuaternionLanes& rotations) {
-  const MatrixLanes& M = covariances.M;
+void fitRotations(const MatrixLanes& M, QuaternionLanes& rotations) {
   LaneMask converged{}, definite = ~converged;
   for (int step = 0; step < kMaxNewtonSteps && any(definite & ~converged); ++step) {
     const RotationModelLanes model(toMatrix(rotations) * M);

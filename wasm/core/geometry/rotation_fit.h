@@ -12,17 +12,9 @@ Mat3 fitRotation(const Mat3& M);
 /// A = R M, is not positive definite (which certifies the global maximum) or Newton is slow, falls back on `fitRotation`.
 Mat3 fitRotation(const Mat3& M, const Mat3& guess);
 
-/// Four covariances scaled to a size of about 1, where single precision neither overflows nor underflows, and the scale that was
-/// taken off. Matrices of zeros stay.
-struct ScaledCovariances {
-  MatrixLanes M;
-  Lanes scale;
-
-  explicit ScaledCovariances(const CovarianceLanes& covariances);
-};
-
 /// Four rotations at once in single precision (about 1e-7 radians), by the same method from `rotations`, which are
-/// updated. Lanes without a certificate fall back on `fitRotation`.
-void fitRotations(const ScaledCovariances& covariances, QuaternionLanes& rotations);
+/// updated. Lanes without a certificate, those of matrices too large or small for single precision among them (about 1e12, 1e-13), fall
+/// back on `fitRotation`.
+void fitRotations(const MatrixLanes& M, QuaternionLanes& rotations);
 
 }  // namespace whittle

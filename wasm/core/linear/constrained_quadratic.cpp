@@ -53,16 +53,13 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   return cholesky_.factorize(freeBlock);
 }
 
-void ConstrainedQuadratic::correct(const std::vector<LaneRow>& residual, const Points& from, Points& X) {
-  for (const Index row : held_) X.row(row) = from.row(row);
+void ConstrainedQuadratic::correct(std::vector<LaneRow>& residual) {
+  for (const Index row : held_) residual[row] = {};
   if (free_.empty()) return;
   const Index freeCount = static_cast<Index>(free_.size());
   for (Index i = 0; i < freeCount; ++i) cholesky_.row(i) = residual[free_[i]];
   cholesky_.solve();
-  for (Index i = 0; i < freeCount; ++i) {
-    const LaneRow& correction = cholesky_.row(i);
-    X.row(free_[i]) = from.row(free_[i]) + Eigen::RowVector3d(correction.x, correction.y, correction.z);
-  }
+  for (Index i = 0; i < freeCount; ++i) residual[free_[i]] = cholesky_.row(i);
 }
 
 }  // namespace whittle

@@ -17,8 +17,8 @@ class ConstrainedQuadratic {
   /// @param ordering of all rows of A, held ones too, in blocks of 1
   Status prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering = {});
 
-  /// Moves the free rows of `from` by the solution of A ΔX = residual, residual = B − A X there. Allocates nothing.
-  void correct(const std::vector<LaneRow>& residual, const Points& from, Points& X);
+  /// Makes of residuals B − A X at some X the corrections ΔX that lead from there to the minimum, of held rows zero. Allocates nothing.
+  void correct(std::vector<LaneRow>& residual);
 
  private:
   std::vector<Index> free_;  // rows of X that are solved for

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/types.h"
+#include "methods/local_global/displacements.h"
 #include "methods/parameters.h"
 
 namespace whittle {
@@ -19,23 +19,23 @@ class Acceleration {
   /// The parameter that chooses among them.
   static ParameterInfo parameter();
 
-  void resize(Index vertexCount) { start_.resize(vertexCount, 3); }
+  void resize(Index vertexCount, const StiffEdges& stiff) { start_.resize(vertexCount, stiff); }
 
   /// Forgets all; the first iteration is a plain one.
   void begin(Kind kind);
 
   /// Computes y from the iterate x and the one before it. Returns whether it is any other point than x.
-  bool extrapolate(const Points& iterate, const Points& before);
+  bool extrapolate(const Displacements& iterate, const Displacements& before);
   /// Falls back on x.
-  void reject(const Points& iterate);
-  /// y, #V×3
-  const Points& start() const { return start_; }
+  void reject(const Displacements& iterate);
+  /// y
+  const Displacements& start() const { return start_; }
 
  private:
   Kind kind_ = Kind::nesterov;
   bool fresh_ = true;    // no iteration yet
   double momentum_ = 1;  // Nesterov's t_k
-  Points start_;         // y
+  Displacements start_;  // y
 };
 
 }  // namespace whittle

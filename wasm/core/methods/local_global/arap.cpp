@@ -13,7 +13,7 @@ enum Parameter { kRegularizer, kOwnParameters };
 
 Rigidity ArapLocalStep::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
 
-Lanes ArapLocalStep::fit(std::size_t, const ScaledCovariances& covariances, bool, QuaternionLanes& rotations) {
+Lanes ArapLocalStep::fit(std::size_t, const MatrixLanes& covariances, bool, QuaternionLanes& rotations) {
   fitRotations(covariances, rotations);
   return splat(0);
 }

@@ -10,7 +10,7 @@ class ArapLocalStep : public LocalStep {
  public:
   Rigidity rigidity(const Settings& settings) const override;
   Status prepare(const RestShape&, const Settings&) override { return {}; }
-  Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) override;
+  Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 };
 
 /// Registry line of the method `arap`: handles move, the rest follows rigidly.

@@ -74,17 +74,17 @@ Status CubicLocalStep::prepareStyle(const Settings& settings) {
   return {};
 }
 
-Lanes CubicLocalStep::fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) {
-  const Lanes weights = splat(1) / covariances.scale * weights_[batch];
-  if (frames_.areIdentity()) return covariances.scale * solve(batch, covariances.M, weights, neverWorse, rotations);
+Lanes CubicLocalStep::fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) {
+  if (frames_.areIdentity()) return solve(batch, covariances, neverWorse, rotations);
   const QuaternionLanes before = frames_.intoFrames(batch, rotations);
   QuaternionLanes after = before;
-  const Lanes regularizers = solve(batch, frames_.covariances(batch, covariances.M), weights, neverWorse, after);
+  const Lanes regularizers = solve(batch, frames_.covariances(batch, covariances), neverWorse, after);
   frames_.outOfFrames(batch, before, after, rotations);
-  return covariances.scale * regularizers;
+  return regularizers;
 }
 
-Lanes CubicLocalStep::solve(std::size_t batch, const MatrixLanes& M, Lanes weights, bool neverWorse, QuaternionLanes& rotations) {
+Lanes CubicLocalStep::solve(std::size_t batch, const MatrixLanes& M, bool neverWorse, QuaternionLanes& rotations) {
+  const Lanes weights = weights_[batch];
   const VectorLanes axes{splat(static_cast<float>(axes_.x())), splat(static_cast<float>(axes_.y())), splat(static_cast<float>(axes_.z()))};
   const CubicLanes vertices{M, normals_[batch], {weights * axes.x, weights * axes.y, weights * axes.z}};
   const QuaternionLanes guess = rotations;

@@ -18,13 +18,13 @@ class CubicLocalStep : public LocalStep {
   /// Fails with `badParameter` where axes of different weight meet a polyhedron that has no axes.
   Status prepare(const RestShape& rest, const Settings& settings) override;
   void begin() override { solver_->begin(weights_.size()); }
-  Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) override;
+  Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 
  private:
   void prepareVertices(const RestShape& rest, const Settings& settings);
   Status prepareStyle(const Settings& settings);
-  /// The step in the vertices' frames. @param weights κ, in the units of M
-  Lanes solve(std::size_t batch, const MatrixLanes& M, Lanes weights, bool neverWorse, QuaternionLanes& rotations);
+  /// The step in the vertices' frames.
+  Lanes solve(std::size_t batch, const MatrixLanes& M, bool neverWorse, QuaternionLanes& rotations);
 
   std::vector<VectorLanes> normals_;  // of the rest shape, zero where there is none
   std::vector<Lanes> weights_;        // κ = λ a_i

@@ -4,8 +4,7 @@
 
 namespace whittle {
 
-/// Four vertices of the cubic local step, in single precision; M is of size about 1 (see `ScaledCovariances`) and κ in the same units. A vertex
-/// without cubeness or without a normal has no weights.
+/// Four vertices of the cubic local step, in single precision. A vertex without cubeness or without a normal has no weights.
 struct CubicLanes {
   MatrixLanes M;
   VectorLanes n;

@@ -27,32 +27,33 @@ void ElementTargets::prepare(const RestShape& rest, Rigidity rigidity, double la
   } else {
     strengths_.array() *= (perFace ? faceMeans(ownLambdas, triangles) : ownLambdas).array();
   }
-  normalLanes_.assign(batchCount(count()), WideVectors{});
+  normalLanes_.assign(batchCount(count()), {splat(0), splat(0), splat(0)});
   pulls_ = normalLanes_;
   for (Index k = 0; k < count(); ++k) {
-    WideVectors& n = normalLanes_[k / 4];
-    n.x[k % 4] = normals_(k, 0), n.y[k % 4] = normals_(k, 1), n.z[k % 4] = normals_(k, 2);
+    setVector(normalLanes_[k / 4], k % 4, normals_.row(k).transpose());
     if (normals_.row(k).isZero(0)) strengths_[k] = 0;
   }
-  energy_ = 2 * strengths_.sum();
+  energies_ = 2 * strengths_;  // of a target that is not there yet, as of one across
+  energy_ = energies_.sum();
 }
 
 void ElementTargets::set(Index k, const Vec3& target) {
-  const Vec3 t = (2 * strengths_[k]) * target;
-  WideVectors& pull = pulls_[k / 4];
-  pull.x[k % 4] = t.x(), pull.y[k % 4] = t.y(), pull.z[k % 4] = t.z();
+  setVector(pulls_[k / 4], k % 4, (2 * strengths_[k]) * target);
+  const double before = energies_[k];
+  energies_[k] = strengths_[k] * (normals_.row(k).transpose() - target).squaredNorm();
+  energy_ += energies_[k] - before;
 }
 
-void ElementTargets::pull(std::size_t batch, CovarianceLanes& covariances) const {
-  const WideVectors &n = normalLanes_[batch], &t = pulls_[batch];
-  const DoubleLanes rows[] = {n.x, n.y, n.z};
+void ElementTargets::pull(std::size_t batch, MatrixLanes& covariances) const {
+  const VectorLanes &n = normalLanes_[batch], &t = pulls_[batch];
+  const Lanes rows[] = {n.x, n.y, n.z};
   for (int i = 0; i < 3; ++i) {
     auto& row = covariances.m[i];
     row[0] += rows[i] * t.x, row[1] += rows[i] * t.y, row[2] += rows[i] * t.z;
   }
 }
 
-Lanes TargetedLocalStep::fit(std::size_t, const ScaledCovariances& covariances, bool, QuaternionLanes& rotations) {
+Lanes TargetedLocalStep::fit(std::size_t, const MatrixLanes& covariances, bool, QuaternionLanes& rotations) {
   fitRotations(covariances, rotations);
   return splat(0);
 }

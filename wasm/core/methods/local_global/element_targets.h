@@ -23,29 +23,26 @@ class ElementTargets {
   void set(Index k, const Vec3& target);
 
   /// Adds the term of four elements to their covariances.
-  void pull(std::size_t batch, CovarianceLanes& covariances) const;
-  /// Σ λ a_k (|n_k|² + |t_k|²), the part of the energy that no rotation changes.
+  void pull(std::size_t batch, MatrixLanes& covariances) const;
+  /// Σ λ a_k |n_k − t_k|², the energy before anything has turned.
   double energy() const { return energy_; }
 
  private:
-  struct WideVectors {
-    DoubleLanes x, y, z;
-  };
-
   Points normals_;
   Scalars strengths_;
+  Scalars energies_;  // λ a_k |n_k − t_k|²
   double energy_ = 0;
-  std::vector<WideVectors> normalLanes_;  // n_k
-  std::vector<WideVectors> pulls_;        // 2 λ a_k t_k
+  std::vector<VectorLanes> normalLanes_;  // n_k
+  std::vector<VectorLanes> pulls_;        // 2 λ a_k t_k
 };
 
 /// The local step of all methods that draw normals to targets: the plain fit with the targets' pull.
 class TargetedLocalStep : public LocalStep {
  public:
-  void pull(std::size_t batch, CovarianceLanes& covariances) const override { targets_.pull(batch, covariances); }
+  void pull(std::size_t batch, MatrixLanes& covariances) const override { targets_.pull(batch, covariances); }
   double pullEnergy() const override { return targets_.energy(); }
   Scalars pullWeights() const override { return targets_.strengths(); }
-  Lanes fit(std::size_t batch, const ScaledCovariances& covariances, bool neverWorse, QuaternionLanes& rotations) override;
+  Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 
  protected:
   ElementTargets targets_;

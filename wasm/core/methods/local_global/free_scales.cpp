@@ -1,38 +1,35 @@
 #include "methods/local_global/free_scales.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace whittle {
 
 namespace {
 
 /// No element shrinks to a point or turns over: of scales from here on the best is taken.
-constexpr double kSmallestScale = 1e-3;
+constexpr float kSmallestScale = 1e-3f;
 /// A growth below this is rounding and left out, so that what is at rest stays there to the bit.
-constexpr double kGrowthOfRounding = 1e-13;
+constexpr float kGrowthOfRounding = 3e-7f;
 
 }  // namespace
 
-void FreeScales::prepare(const EdgeSet& edges, const Points& rest, const Scalars& pullWeights) {
-  std::vector<CovarianceLanes> covariances(weights_.size(), CovarianceLanes{});
-  std::vector<LaneRow> residual(rest.rows());
-  edges.gatherCovariances(rest, edges.allElements(), covariances.data(), residual);
-  for (std::size_t b = 0; b < weights_.size(); ++b) weights_[b] = 0.5 * traces(identityRotations(), covariances[b]);
-  for (Index k = 0; k < pullWeights.size(); ++k) weights_[k / 4][k % 4] += pullWeights[k];
+void FreeScales::prepare(const EdgeSet& edges, const Scalars& pullWeights) {
+  for (Index k = 0; k < pullWeights.size(); ++k) pullWeights_[k / 4][k % 4] = static_cast<float>(pullWeights[k]);
+  for (std::size_t b = 0; b < weights_.size(); ++b) {
+    const SymmetricLanes& rest = edges.restCovariances()[b];  // 2 Σ c d dᵀ
+    weights_[b] = 0.5f * (rest.xx + rest.yy + rest.zz) + pullWeights_[b];
+  }
 }
 
-double FreeScales::fit(std::size_t batch, DoubleLanes traces) {
-  double change = 0;
-  for (int lane = 0; lane < 4; ++lane) {
-    const double weight = weights_[batch][lane], trace = traces[lane];
-    // What has no extent has no scale.
-    const double growth = weight > 0 ? std::max(trace / (2 * weight) - 1, kSmallestScale - 1) : 0;
-    growths_[batch][lane] = std::abs(growth) < kGrowthOfRounding ? 0.0f : static_cast<float>(growth);
-    const double rounded = growths_[batch][lane];
-    change += rounded * ((2 + rounded) * weight - trace);
+Lanes FreeScales::fit(std::size_t batch, Lanes gains, const MatrixLanes& covariances, MatrixLanes& turns) {
+  const Lanes weight = weights_[batch];
+  const Lanes excess = gains + trace(covariances) - 2 * pullWeights_[batch];  // tr(R M) − 2 w
+  // What has no extent has no scale.
+  const Lanes best = maximum(keep(weight > 0, excess / (2 * weight)), splat(kSmallestScale - 1));
+  const Lanes growth = growths_[batch] = keep(absolute(best) >= kGrowthOfRounding, best);
+  for (auto& row : turns.m) {
+    for (Lanes& entry : row) entry += growth * entry;
   }
-  return change;
+  for (int i = 0; i < 3; ++i) turns.m[i][i] += growth;
+  return growth * (growth * weight - excess);
 }
 
 }  // namespace whittle

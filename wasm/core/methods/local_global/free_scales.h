@@ -10,19 +10,21 @@ namespace whittle {
 class FreeScales {
  public:
   /// Claims memory for so many elements, all of scale 1.
-  explicit FreeScales(Index elementCount) : weights_(batchCount(elementCount)), growths_(batchCount(elementCount)) {}
+  explicit FreeScales(Index elementCount)
+      : weights_(batchCount(elementCount), splat(0)), pullWeights_(weights_), growths_(weights_) {}
 
   /// @param pullWeights a_k |n_k|², one number per element, or empty for none
-  void prepare(const EdgeSet& edges, const Points& rest, const Scalars& pullWeights);
+  void prepare(const EdgeSet& edges, const Scalars& pullWeights);
 
-  /// Scales of four elements from tr(R M). Returns what they change in the energy.
-  double fit(std::size_t batch, DoubleLanes traces);
-
-  /// s − 1
-  const std::vector<Lanes>& growths() const { return growths_; }
+  /// Scales of four elements whose rotations are found, in changes like everything: makes the turns s R − I of R − I. Returns what the scales
+  /// change in the energy.
+  /// @param gains tr((R − I) M)
+  /// @param covariances M − M⁰, the pull of targets included
+  Lanes fit(std::size_t batch, Lanes gains, const MatrixLanes& covariances, MatrixLanes& turns);
 
  private:
-  std::vector<DoubleLanes> weights_;  // w
+  std::vector<Lanes> weights_;      // w
+  std::vector<Lanes> pullWeights_;  // a |n|²
   std::vector<Lanes> growths_;
 };
 

@@ -11,13 +11,11 @@ namespace whittle {
 
 namespace {
 
-/// Share of the energy that the regularizers' single precision decides.
-constexpr double kRounding = 1e-7;
+/// Share of the energy, and of the size of the terms that cancel in it, that single precision decides.
+constexpr double kRounding = 2e-8;
 
 /// Elements that go through the local step together: as many as the nearest cache holds all of.
 constexpr Index kBlock = 64;
-
-const std::vector<Lanes> kNoGrowths;
 
 enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance };
 
@@ -49,7 +47,7 @@ Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, 
   if (stale >= Stale::all) prepareRestShape(rest, localStep_->rigidity(settings));
   if (stale >= Stale::weights) {
     if (Status status = localStep_->prepare(*rest_, settings); !status.ok()) return status;
-    if (scales_) scales_->prepare(*edges_, rest_->mesh.positions, localStep_->pullWeights());
+    if (scales_) scales_->prepare(*edges_, localStep_->pullWeights());
   }
   if (stale < Stale::system) return {};
   Status status = prepareSystem(settings.handles);
@@ -73,6 +71,8 @@ void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) 
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
   edges_ = makeEdgeSet(edgeSetOf(rigidity), rest, halfCotangents_);
+  sizeOfTerms_ = 0;
+  for (const SymmetricLanes& rest : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(rest.xx + rest.yy + rest.zz));
   scales_.reset();
   if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
@@ -83,9 +83,10 @@ void LocalGlobal::claimRunningState() {
   const Index vertexCount = rest_->mesh.vertexCount();
   for (auto* rotations : {&guess_, &rotations_}) rotations->assign(batchCount(edges_->elementCount()), identityRotations());
   covariances_.resize(batchCount(kBlock));
-  residual_.resize(vertexCount);
-  previous_.resize(vertexCount, 3);
-  acceleration_.resize(vertexCount);
+  turns_.resize(batchCount(kBlock));
+  residual_.assign(4 * batchCount(vertexCount), {});
+  for (auto* displacements : {&displacements_, &previous_}) displacements->resize(vertexCount, edges_->stiffEdges());
+  acceleration_.resize(vertexCount, edges_->stiffEdges());
 }
 
 Status LocalGlobal::prepareSystem(const Handles& handles) {
@@ -106,6 +107,7 @@ void LocalGlobal::begin(Points& positions) {
   localStep_->begin();
   for (auto* rotations : {&guess_, &rotations_}) std::fill(rotations->begin(), rotations->end(), identityRotations());
   applyHandles(handles_, positions);
+  displacements_.measure(positions, rest_->mesh.positions);
 }
 
 Status LocalGlobal::step(Points& positions, StepReport& report) {
@@ -114,21 +116,23 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
     return {};
   }
   guess_.swap(rotations_);
-  const bool extrapolated = acceleration_.extrapolate(positions, previous_);
-  if (localStep_->followsOutput()) energy_ = std::numeric_limits<double>::infinity();
+  const bool extrapolated = acceleration_.extrapolate(displacements_, previous_);
+  if (localStep_->followsOutput()) {
+    localStep_->observe(positions);
+    energy_ = std::numeric_limits<double>::infinity();
+  }
   report.energy = localStep(acceleration_.start(), Guess::continued);
   if (extrapolated && !(report.energy <= energy_)) {
-    acceleration_.reject(positions);
-    report.energy = localStep(positions, Guess::last);
+    acceleration_.reject(displacements_);
+    report.energy = localStep(displacements_, Guess::last);
   }
   // Not from an exact local step, but ADMM stops within its tolerance and, for strong pulls, at local maxima.
-  if (report.energy > energy_ + kRounding * std::abs(energy_)) report.energy = localStep(positions, Guess::bound);
+  if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_)) report.energy = localStep(displacements_, Guess::bound);
   energy_ = report.energy;
-  previous_.swap(positions);
-  globalStep(acceleration_.start(), positions);
-  report.change = relativeDisplacement(positions);
+  std::swap(previous_, displacements_);
+  report.change = globalStep(positions);
   if (!std::isfinite(report.energy) || !std::isfinite(report.change)) {
-    positions = previous_;
+    displacements_ = previous_;  // the positions are still those
     return Status::failure(Code::numericalFailure,
                            "the iteration lost its numbers; the mesh may hold faces too thin to compute with");
   }
@@ -136,51 +140,69 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   return {};
 }
 
-double LocalGlobal::localStep(const Points& positions, Guess guess) {
-  localStep_->observe(positions);
+double LocalGlobal::localStep(const Displacements& displacements, Guess guess) {
   std::fill(residual_.begin(), residual_.end(), LaneRow{});
-  double energy = edges_->restEnergy() + localStep_->pullEnergy();
+  double energy = localStep_->pullEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
   const Index count = edges_->elementCount();
   for (Index first = 0; first < count; first += kBlock) {
     const ElementRange block{first, std::min(first + kBlock, count)};
-    energy += edges_->gatherCovariances(positions, block, covariances_.data(), residual_);
+    energy += edges_->gatherCovariances(displacements.rows(), block, covariances_.data(), residual_);
     energy += fitBlock(block, guess);
-    edges_->addSimilar(rotations_, scales_ ? scales_->growths() : kNoGrowths, block, residual_);
+    edges_->addTurned(turns_.data(), block, residual_);
   }
   return energy;
 }
 
 double LocalGlobal::fitBlock(ElementRange block, Guess guess) {
-  double energy = 0;
+  DoubleLanes energies{};
   for (std::size_t b = block.firstBatch(); b < block.endBatch(); ++b) {
-    CovarianceLanes& M = covariances_[b - block.firstBatch()];
-    rotations_[b] = guess == Guess::continued ? continued(guess_[b], rotations_[b]) : guess_[b];
-    localStep_->pull(b, M);
-    const Lanes regularizers = localStep_->fit(b, ScaledCovariances(M), guess == Guess::bound, rotations_[b]);
-    const DoubleLanes gains = traces(rotations_[b], M);
-    energy += sumOf(toDouble(regularizers) - gains);
-    if (scales_) energy += scales_->fit(b, gains);
+    MatrixLanes& covariances = covariances_[b - block.firstBatch()];
+    MatrixLanes& turns = turns_[b - block.firstBatch()];
+    QuaternionLanes& rotations = rotations_[b];
+    const SymmetricLanes& rest = edges_->restCovariances()[b];
+    localStep_->pull(b, covariances);
+    rotations = guess == Guess::continued ? continued(guess_[b], rotations) : guess_[b];
+    const Lanes regularizers = localStep_->fit(b, rest + covariances, guess == Guess::bound, rotations);
+    turns = turnOf(rotations);
+    const Lanes gains = traceOfProduct(turns, rest) + traceOfProduct(turns, covariances);
+    Lanes changes = regularizers - gains;
+    if (scales_) changes += scales_->fit(b, gains, covariances, turns);
+    energies += toDouble(changes);
   }
-  return energy;
+  return sumOf(energies);
 }
 
-void LocalGlobal::globalStep(const Points& from, Points& positions) {
-  system_.correct(residual_, from, positions);
-  gauge_->restoreCentroids(positions);
-}
-
-double LocalGlobal::relativeDisplacement(const Points& positions) const {
-  const Points &start = acceleration_.start(), &rest = rest_->mesh.positions;
-  double move = 0, way = 0, sum = 0;  // squared
-  for (Index v = 0; v < positions.rows(); ++v) {
-    const auto x = positions.row(v);
-    const double fromRest = (x - rest.row(v)).squaredNorm();
-    move = std::max({move, (x - start.row(v)).squaredNorm(), (x - previous_.row(v)).squaredNorm()});
-    way = std::max(way, fromRest);
-    sum += fromRest;  // a maximum does not see what is not a number
+double LocalGlobal::globalStep(Points& positions) {
+  system_.correct(residual_);
+  const Displacements& start = acceleration_.start();
+  gauge_->balance(start.rows(), residual_);
+  LaneRows& rows = displacements_.rows();
+  Lanes move = splat(0), way = splat(0), sum = splat(0);  // squared lengths
+  for (std::size_t v = 0; v < rows.size(); v += 4) {
+    Lanes steps[4], jumps[4], ways[4];  // from where the iteration started, from the iterate before, from rest
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const Lanes from = load(&start.rows()[v + lane]);
+      const Lanes to = from + (load(&residual_[v + lane]) + gauge_->shift(v + lane));
+      const Lanes step = to - from, jump = to - load(&previous_.rows()[v + lane]);
+      store(&rows[v + lane], to);
+      steps[lane] = step * step, jumps[lane] = jump * jump, ways[lane] = to * to;
+    }
+    const Lanes stepped = horizontalSums(steps[0], steps[1], steps[2], steps[3]);
+    const Lanes jumped = horizontalSums(jumps[0], jumps[1], jumps[2], jumps[3]);
+    const Lanes gone = horizontalSums(ways[0], ways[1], ways[2], ways[3]);
+    move = maximum(move, maximum(stepped, jumped));
+    way = maximum(way, gone);
+    sum += gone;  // a maximum does not see what is not a number
   }
-  if (!std::isfinite(sum)) return std::numeric_limits<double>::quiet_NaN();
-  return StoppingRule::relativeDisplacement(move, way);
+  if (!std::isfinite(sumOf(toDouble(sum)))) return std::numeric_limits<double>::quiet_NaN();
+  displacements_.setExact([&](Index place, Index v) -> Eigen::RowVector3d {
+    const Lanes step = load(&residual_[v]) + gauge_->shift(v);
+    return start.exact().row(place) + Eigen::RowVector3d(step[0], step[1], step[2]);
+  });
+  displacements_.apply(rest_->mesh.positions, positions);
+  applyHandles(handles_, positions);  // to the bit
+  const auto largest = [](Lanes v) { return std::max({v[0], v[1], v[2], v[3]}); };
+  return StoppingRule::relativeDisplacement(largest(move), largest(way));
 }
 
 }  // namespace whittle

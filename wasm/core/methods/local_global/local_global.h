@@ -48,15 +48,14 @@ class LocalGlobal : public Method {
     bound,      // the same, and none may get worse than it was
   };
 
-  /// Fits the rotations to the positions and leaves the residual of the global step; returns the energy.
-  double localStep(const Points& positions, Guess guess);
-  /// The same for elements whose covariances are there; returns what the rotations change in the energy.
+  /// Fits the rotations to the displacements and leaves the residual of the global step; returns the energy.
+  double localStep(const Displacements& displacements, Guess guess);
+  /// The same for elements whose covariances are there, of which it leaves the turns; returns what these change in the energy.
   double fitBlock(ElementRange block, Guess guess);
-  /// Moves `from` to the minimum for the rotations.
-  void globalStep(const Points& from, Points& positions);
-  /// The longest move of a vertex as a share of the longest way from rest. Of an accelerated iteration both moves must be
-  /// short: from where it started, which is what the plain one would report there, and from the iterate before.
-  double relativeDisplacement(const Points& positions) const;
+  /// Moves the displacements from where the iteration started to the minimum for the rotations and writes the positions. Returns the
+  /// longest move of a vertex as a share of the longest way from rest, or not a number where one is not. Of an accelerated iteration both
+  /// moves must be short: from where it started, which is what the plain one would report there, and from the iterate before.
+  double globalStep(Points& positions);
 
   std::unique_ptr<LocalStep> localStep_;
   std::size_t ownParameters_;
@@ -69,6 +68,7 @@ class LocalGlobal : public Method {
   std::optional<RestShape> rest_;
   CornerScalars halfCotangents_;
   std::unique_ptr<EdgeSet> edges_;
+  double sizeOfTerms_ = 0;  // Σ tr(M⁰_k)
   Components components_;
   std::vector<Index> eliminationOrder_;  // of the vertices, good whatever is held
 
@@ -79,10 +79,12 @@ class LocalGlobal : public Method {
   // Running state
   std::vector<QuaternionLanes> guess_;  // rotations of the iteration before, which made the present positions
   std::vector<QuaternionLanes> rotations_;
-  std::optional<FreeScales> scales_;  // where the policy frees them
-  std::vector<CovarianceLanes> covariances_;  // of one block
-  std::vector<LaneRow> residual_;             // b − L V, #V
-  Points previous_;
+  std::optional<FreeScales> scales_;       // where the policy frees them
+  std::vector<MatrixLanes> covariances_;   // of one block
+  std::vector<MatrixLanes> turns_;         // of one block
+  LaneRows residual_;                      // b − L V; then the corrections
+  Displacements displacements_;            // of the iterate
+  Displacements previous_;                 // of the iterate before
   Acceleration acceleration_;
   double energy_ = 0;  // of the point that the last iteration started from
 };

@@ -14,7 +14,7 @@ constexpr float kKink = 0.25f;        // share of u that decides whether a row s
 constexpr float kOutside = 1e-4f;     // by how much a subgradient may leave [−1, 1]
 constexpr float kRounding = 1e-6f;
 /// ρ, for covariances of size 1: each step leaves about 1/ρ of a violated constraint.
-constexpr float kPenalty = 50;
+constexpr float kPenalty = 50;        // on kinks that turn away, of the size of M
 
 /// A polyhedron's rows in single precision.
 struct Row {
@@ -46,6 +46,7 @@ MatrixLanes pulled(const MatrixLanes& RM, const VectorLanes& s, const VectorLane
 PolyhedralClimb climbPolyhedral(const MatrixLanes& M, const VectorLanes& n, Lanes weights, const Polyhedron& polyhedron,
                                 SubgradientLanes& u, QuaternionLanes& rotations) {
   const Index rowCount = polyhedron.rowCount;
+  const Lanes stiffness = kPenalty * largestEntries(M);
   LaneMask done{}, valid = ~done;
   std::array<LaneMask, Polyhedron::kMostRows> kink{};
   for (int step = 0; step < kMaxSteps && any(valid & ~done); ++step) {
@@ -66,7 +67,7 @@ PolyhedralClimb climbPolyhedral(const MatrixLanes& M, const VectorLanes& n, Lane
     VectorLanes g = model.g;
     for (Index j = 0; j < rowCount; ++j) {
       const Row row(polyhedron, j);
-      const Lanes penalty = keep(kink[j], splat(kPenalty));
+      const Lanes penalty = keep(kink[j], stiffness);
       const VectorLanes c = row.crossed(s);
       H = plusOuter(H, penalty, c);
       g = g - (penalty * row.dot(s)) * c;
@@ -84,7 +85,7 @@ PolyhedralClimb climbPolyhedral(const MatrixLanes& M, const VectorLanes& n, Lane
     for (Index j = 0; j < rowCount; ++j) {
       const Row row(polyhedron, j);
       const Lanes left = row.dot(after);
-      const Lanes multiplier = share * (kPenalty / row.length) * left / weights;
+      const Lanes multiplier = share * stiffness * left / (row.length * weights);
       u[j] = select(valid & ~done & kink[j], u[j] + multiplier, u[j]);
       const LaneMask atKink = (absolute(left) <= kAtKink) & (absolute(u[j]) <= 1 + kOutside);
       const LaneMask offKink = (u[j] * left >= -kRounding) | (weights == 0);
