@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <numeric>
 
+#include "session/numbering.h"
 #include "support/shapes.h"
 
 using namespace whittle;
@@ -70,6 +72,63 @@ TEST_CASE("all held: the handles are where they should be and nothing else happe
   Points positions(4, 3);
   session.copyPositions(positions.data());
   CHECK((positions - handles.targets).norm() < 1e-12);
+}
+
+TEST_CASE("a numbering takes everything that belongs to vertices along, and gives the mesh back") {
+  const TriangleMesh mesh = together(bent(sphere(2)), moebiusStrip(9), {3, 0, 0});
+  const Index n = mesh.vertexCount();
+  const Numbering numbering = Numbering::of(mesh);
+  std::vector<int> seen(n, 0);
+  for (Index place = 0; place < n; ++place) ++seen[numbering.vertexAt(place)];
+  CHECK(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+
+  const TriangleMesh ordered = numbering.ordered(mesh);
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    for (int k = 0; k < 3; ++k) CHECK(numbering.vertexAt(ordered.triangles(f, k)) == mesh.triangles(f, k));
+  }
+  for (Index place = 0; place < n; ++place) CHECK(ordered.positions.row(place) == mesh.positions.row(numbering.vertexAt(place)));
+  const TriangleMesh again = numbering.inFileOrder(ordered);
+  CHECK(again.positions == mesh.positions);
+  CHECK(again.triangles == mesh.triangles);
+
+  const std::vector<ParameterInfo> infos = {{"number", ParameterKind::number, Stale::all},
+                                            {"scalars", ParameterKind::scalars, Stale::all},
+                                            {"rotations", ParameterKind::rotations, Stale::all},
+                                            {"none", ParameterKind::scalars, Stale::all}};
+  Settings settings = Settings::defaults(infos);
+  settings.scalars[1].setLinSpaced(n, 0, n - 1);
+  settings.scalars[2].setLinSpaced(4 * n, 0, 4 * n - 1);
+  settings.handles = {{5, 70}, Points::Zero(2, 3)};
+  const Settings moved = numbering.ordered(settings, infos);
+  for (Index place = 0; place < n; ++place) {
+    CHECK(moved.scalars[1][place] == numbering.vertexAt(place));
+    for (int i = 0; i < 4; ++i) CHECK(moved.scalars[2][4 * place + i] == 4 * numbering.vertexAt(place) + i);
+  }
+  CHECK(moved.scalars[3].size() == 0);
+  CHECK(numbering.vertexAt(moved.handles.vertices[0]) == 5);
+  CHECK(numbering.vertexAt(moved.handles.vertices[1]) == 70);
+}
+
+TEST_CASE("vertices keep the file's numbers outside, and in what a refusal says") {
+  TriangleMesh open = sphere(3);
+  open.triangles.conservativeResize(open.faceCount() - 1, 3);
+  const auto isOnHole = [&](Index v) { return (sphere(3).triangles.bottomRows(1).array() == v).any(); };
+  Session session;
+  REQUIRE(session.load(open).ok());
+  REQUIRE(session.select("arap").ok());
+  REQUIRE(session.setHandles({{7}, open.positions.row(7) * 1.5}).ok());
+  REQUIRE(session.prepare().ok());
+  StepReport report;
+  REQUIRE(session.step(report).ok());
+  Points positions(open.vertexCount(), 3);
+  session.copyPositions(positions.data());
+  CHECK((positions.row(7) - open.positions.row(7) * 1.5).norm() < 1e-12);
+
+  REQUIRE(session.select("spherical").ok());
+  const Status refused = session.prepare();
+  CHECK(refused.code == Code::unsuitableMesh);
+  CHECK(isOnHole(refused.element));
+  CHECK(refused.message.find("vertex " + std::to_string(refused.element)) != std::string::npos);
 }
 
 TEST_CASE("the registry describes itself as JSON") {

@@ -35,13 +35,6 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   A = SparseMatrix();
 
   Ordering ofFree = ordering;
-  std::vector<Index> order;
-  if (ordering.order) {
-    for (const Index row : *ordering.order) {
-      if (freeIndex[row] != kHeld) order.push_back(freeIndex[row]);
-    }
-    ofFree.order = &order;
-  }
   Points coordinates;
   if (ordering.coordinates) {
     coordinates.resize(freeCount, 3);

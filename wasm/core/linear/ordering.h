@@ -10,7 +10,7 @@ namespace whittle {
 struct Ordering {
   const Points* coordinates = nullptr;        // one row per node: where it is in space, for systems large enough to be cut in space
   Index blockSize = 1;                        // unknowns per node, numbered blockSize·node + component
-  const std::vector<Index>* order = nullptr;  // a good elimination order if one is known: position → node
+  bool isOrdered = false;                     // whether the nodes come in a good elimination order already
 };
 
 /// Elimination order by approximate minimum degree: position → node.

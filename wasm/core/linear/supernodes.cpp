@@ -102,6 +102,12 @@ std::vector<Index> positions(const std::vector<Index>& order) {
   return positionOf;
 }
 
+std::vector<Index> asNumbered(Index nodes) {
+  std::vector<Index> order(nodes);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
 /// From nodes to unknowns: every column and row becomes `blockSize` of them.
 Supernodes expand(const Supernodes& ofNodes, Index blockSize) {
   Supernodes result;
@@ -124,8 +130,8 @@ Supernodes expand(const Supernodes& ofNodes, Index blockSize) {
 Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering) {
   const Graph graph = graphOf(A, ordering.blockSize);
   Supernodes result;
-  result.newOf = positions(ordering.order ? postordered(graph, *ordering.order)
-                                          : eliminationOrder(graph, ordering.coordinates, ordering.blockSize));
+  result.newOf = positions(ordering.isOrdered ? postordered(graph, asNumbered(graph.size()))
+                                              : eliminationOrder(graph, ordering.coordinates, ordering.blockSize));
   const UpperPattern pattern = upperPattern(graph, result.newOf);
   const std::vector<Index> parent = eliminationTree(pattern);
   const std::vector<Panel> panels = findPanels(parent, columnCounts(pattern, parent), ordering.blockSize);

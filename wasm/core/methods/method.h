@@ -16,7 +16,8 @@ struct StepReport {
   double change = 0;  // relative displacement: longest move of the step over longest way so far
 };
 
-/// A method at work on one mesh. The rest mesh is in the unit frame and outlives the method.
+/// A method at work on one mesh. The rest mesh is in the unit frame and outlives the method. Its vertices are numbered in an elimination
+/// order, as sparse systems on its graph want them (`Ordering::isOrdered`).
 class Method {
  public:
   virtual ~Method() = default;
@@ -37,6 +38,8 @@ struct MethodInfo {
   const char* id;
   std::vector<ParameterInfo> parameters;
   std::unique_ptr<Method> (*create)();
+  /// Says why a mesh, numbered as in the file, is not for this method: `unsuitableMesh`. nullptr: all are.
+  Status (*suits)(const TriangleMesh& mesh) = nullptr;
 };
 
 }  // namespace whittle

@@ -113,9 +113,19 @@ Status Session::setHandles(Handles handles) {
 
 void Session::restart() { positions_ = rest_.positions; }
 
+void Session::number() {
+  numbering_ = Numbering::of(rest_);
+  rest_ = numbering_.ordered(rest_);
+  restart();
+}
+
 Status Session::prepare() {
   if (Status status = requireMethod(); !status.ok()) return status;
-  Status status = method_->prepare(rest_, settings_, stale_);
+  if (stale_ == Stale::all && info_->suits) {
+    if (Status status = info_->suits(numbering_.inFileOrder(rest_)); !status.ok()) return status;
+  }
+  if (numbering_.isFileOrder()) number();
+  Status status = method_->prepare(rest_, numbering_.ordered(settings_, info_->parameters), stale_);
   if (!status.ok()) return status;
   stale_ = Stale::nothing;
   method_->begin(positions_);
@@ -132,11 +142,12 @@ Status Session::step(StepReport& report) {
 
 void Session::copyPositions(double* into) const {
   Eigen::Map<Points> out(into, positions_.rows(), 3);
-  for (Index v = 0; v < positions_.rows(); ++v) {
-    if (positions_.row(v) == rest_.positions.row(v)) {
+  for (Index place = 0; place < positions_.rows(); ++place) {
+    const Index v = numbering_.vertexAt(place);
+    if (positions_.row(place) == rest_.positions.row(place)) {
       out.row(v) = filePositions_.row(v);
     } else {
-      out.row(v) = frame_.toFile(positions_.row(v).transpose()).transpose();
+      out.row(v) = frame_.toFile(positions_.row(place).transpose()).transpose();
     }
   }
 }

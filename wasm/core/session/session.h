@@ -7,11 +7,13 @@
 #include "mesh/unit_frame.h"
 #include "mesh/validate.h"
 #include "methods/registry.h"
+#include "session/numbering.h"
 
 namespace whittle {
 
 /// One mesh, one method at a time and the positions so far: what the outside drives. Speaks the file's units; works in
-/// the unit frame. Every setter notes what it makes stale, `prepare` recomputes just that.
+/// the unit frame, on vertices in a `Numbering` that the first `prepare` finds. Every setter notes what it makes stale, `prepare`
+/// recomputes just that.
 class Session {
  public:
   /// Takes a mesh and reports on it; forgets everything else. Fails as `validate` does and then holds no mesh.
@@ -34,7 +36,8 @@ class Session {
 
   /// Back to the rest positions.
   void restart();
-  /// Recomputes what is stale and starts a run from the current positions. Fails with `numericalFailure`.
+  /// Recomputes what is stale and starts a run from the current positions. Fails with `numericalFailure`, or as the method refuses
+  /// the mesh or its settings.
   Status prepare();
   /// One iteration of a prepared run. Fails with `numericalFailure`; the positions are then those before the step.
   Status step(StepReport& report);
@@ -47,11 +50,13 @@ class Session {
   /// Finds the place of a parameter in the method's list, of one that `fits`. Fails with `badParameter`.
   template <typename Fits>
   Status find(const std::string& parameter, Fits fits, std::size_t& place) const;
+  void number();
   void markStale(Stale level) { stale_ = std::max(stale_, level); }
 
   Points filePositions_;  // #V×3, as loaded
-  TriangleMesh rest_;     // in the unit frame
+  TriangleMesh rest_;     // in the unit frame, by `numbering_`
   UnitFrame frame_;
+  Numbering numbering_;
   MeshReport report_;
 
   const MethodInfo* info_ = nullptr;
@@ -59,7 +64,7 @@ class Session {
   Settings settings_;
   Stale stale_ = Stale::all;
 
-  Points positions_;  // in the unit frame
+  Points positions_;  // in the unit frame, by `numbering_`
 };
 
 }  // namespace whittle

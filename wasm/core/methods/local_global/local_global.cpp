@@ -76,7 +76,6 @@ void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) 
   scales_.reset();
   if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
-  eliminationOrder_.clear();
 }
 
 void LocalGlobal::claimRunningState() {
@@ -95,9 +94,7 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  SparseMatrix L = cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount());
-  if (eliminationOrder_.empty()) eliminationOrder_ = eliminationOrder(graphOf(L), &mesh.positions);
-  return system_.prepare(std::move(L), held, {.order = &eliminationOrder_});
+  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held, {.isOrdered = true});
 }
 
 void LocalGlobal::begin(Points& positions) {

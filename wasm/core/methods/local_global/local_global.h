@@ -70,7 +70,6 @@ class LocalGlobal : public Method {
   std::unique_ptr<EdgeSet> edges_;
   double sizeOfTerms_ = 0;  // Σ tr(M⁰_k)
   Components components_;
-  std::vector<Index> eliminationOrder_;  // of the vertices, good whatever is held
 
   // Prepared once per set of held vertices
   std::optional<Gauge> gauge_;

@@ -57,7 +57,7 @@ Status PolyCube::prepareRestShape(const TriangleMesh& rest) {
   moves_.resize(rest.vertexCount(), 3);
   previous_ = rest.positions;
   const SparseMatrix& L = laplacian_->fill(halfCotangents_);
-  cholesky_.analyze(L, {.coordinates = &rest.positions});
+  cholesky_.analyze(L, {.isOrdered = true});
   return cholesky_.factorize(L, true);  // claims what the steps work in
 }
 

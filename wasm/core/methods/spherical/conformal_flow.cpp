@@ -42,9 +42,8 @@ Status ConformalFlow::prepare(const TriangleMesh& rest, const Settings& settings
   tolerance_ = settings.numbers[kTolerance];
   maxIterations_ = static_cast<int>(settings.numbers[kMaxIterations]);
   if (stale < Stale::all) return {};
-  Status status = requireSphere(rest);
-  if (status.ok()) prepareRestShape(rest);
-  return status;
+  prepareRestShape(rest);
+  return {};
 }
 
 void ConformalFlow::prepareRestShape(const TriangleMesh& rest) {
@@ -56,7 +55,7 @@ void ConformalFlow::prepareRestShape(const TriangleMesh& rest) {
   laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount()).triangularView<Eigen::Lower>();
   laplacian_.makeCompressed();
   system_ = laplacian_;
-  cholesky_.analyze(system_);
+  cholesky_.analyze(system_, {.isOrdered = true});
   for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest.vertexCount(), 3);
 }
 
@@ -137,7 +136,8 @@ MethodInfo sphericalMethod() {
           {{"timeStep", ParameterKind::number, Stale::targets, 1e-3, 1e-6, 1},
            {"tolerance", ParameterKind::number, Stale::targets, 1e-9, 0, 1},
            {"maxIterations", ParameterKind::integer, Stale::targets, 300, 0, 1e6}},
-          [] { return std::unique_ptr<Method>(std::make_unique<ConformalFlow>()); }};
+          [] { return std::unique_ptr<Method>(std::make_unique<ConformalFlow>()); },
+          requireSphere};
 }
 
 }  // namespace whittle

@@ -24,7 +24,7 @@ namespace whittle {
 /// factors a matrix anew and allocates for it.
 class ConformalFlow : public Method {
  public:
-  /// Fails with `unsuitableMesh` where the surface is no sphere, see `requireSphere`.
+  /// Of a mesh that `requireSphere` lets through.
   Status prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) override;
   void begin(Points& positions) override;
   /// Fails with `numericalFailure` where the flow loses its numbers or ends folded; the positions are then those before.
