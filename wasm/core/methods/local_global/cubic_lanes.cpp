@@ -48,6 +48,25 @@ struct ActiveKinks {
   }
 };
 
+VectorLanes keepEach(const VectorMask& mask, const VectorLanes& v) {
+  return {keep(mask.x, v.x), keep(mask.y, v.y), keep(mask.z, v.z)};
+}
+
+/// H + Σ_j p_j c_j c_jᵀ for c_j = s × e_j, the way s_j goes when R turns.
+SymmetricLanes penalized(const SymmetricLanes& H, const VectorLanes& p, const VectorLanes& s) {
+  const Lanes x = s.x * s.x, y = s.y * s.y, z = s.z * s.z;
+  return {H.xx + p.y * z + p.z * y, H.xy - p.z * (s.x * s.y), H.xz - p.y * (s.x * s.z),
+          H.yy + p.x * z + p.z * x, H.yz - p.x * (s.y * s.z), H.zz + p.x * y + p.y * x};
+}
+
+/// Shortens a turn to the length up to which the model holds; returns by which factor.
+Lanes shorten(VectorLanes& w, Lanes squaredTurn) {
+  if (!any(squaredTurn > kLongestTurn * kLongestTurn)) return splat(1);
+  const Lanes share = minimum(kLongestTurn / squareRoot(squaredTurn), splat(1));
+  w = share * w;
+  return share;
+}
+
 struct Step {
   VectorLanes w;
   Lanes first, second;  // change of u on the two axes that can have a kink
@@ -57,6 +76,11 @@ struct Step {
 /// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns); κ_j δu_j = μ_j.
 Step newtonStep(const RotationModelLanes& model, const VectorLanes& s, const ActiveKinks& kinks, const VectorLanes& weights) {
   const Lanes zero = splat(0), one = splat(1);
+  const VectorLanes penalty = keepEach(kinks.at, weights), pull{penalty.x * s.x, penalty.y * s.y, penalty.z * s.z};
+  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent space.
+  const InverseLanes H(penalized(model.H, penalty, s));
+  const VectorLanes w = H.inverse * (model.g - cross(s, pull));
+
   const VectorLanes ofX{zero, s.z, -s.y}, ofY{-s.z, zero, s.x}, ofZ{s.y, -s.x, zero};
   const LaneMask at0 = (LaneMask)kinks.first((Lanes)kinks.at.x, (Lanes)kinks.at.y);
   const LaneMask at1 = (LaneMask)kinks.second((Lanes)kinks.at.y, (Lanes)kinks.at.z);
@@ -64,9 +88,6 @@ Step newtonStep(const RotationModelLanes& model, const VectorLanes& s, const Act
   const Lanes s0 = keep(at0, kinks.first(s.x, s.y)), s1 = keep(at1, kinks.second(s.y, s.z));
   const Lanes weight0 = kinks.first(weights.x, weights.y), weight1 = kinks.second(weights.y, weights.z);
 
-  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent space.
-  const InverseLanes H(plusOuter(plusOuter(model.H, weight0, c0), weight1, c1));
-  const VectorLanes w = H.inverse * (model.g - (weight0 * s0) * c0 - (weight1 * s1) * c1);
   const VectorLanes d0 = H.inverse * c0, d1 = H.inverse * c1;
   const Lanes a = select(at0, dot(c0, d0), one), b = dot(c0, d1), e = select(at1, dot(c1, d1), one);
   const Lanes determinant = a * e - b * b;
@@ -107,8 +128,8 @@ Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& 
     const LaneMask active = valid & ~done;
 
     const Lanes squaredTurn = dot(newton.w, newton.w);
-    const Lanes share = select(squaredTurn > kLongestTurn * kLongestTurn, kLongestTurn / squareRoot(squaredTurn), splat(1));
-    const VectorLanes w = keep(active & (squaredTurn > kStill), share * newton.w);
+    VectorLanes w = keep(active & (squaredTurn > kStill), newton.w);
+    const Lanes share = shorten(w, squaredTurn);
     const Lanes first = share * newton.first, second = share * newton.second;
     next.x += keep(kinks.at.x, first);
     next.y += keep(kinks.at.y, select(kinks.largestX, first, second));
@@ -130,7 +151,7 @@ Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& 
   // The shortest turn that brings the coordinates at a kink to zero.
   const VectorLanes s = toMatrix(rotations) * n;
   const VectorLanes offKinks{keep(~kinksAtEnd.x, s.x), keep(~kinksAtEnd.y, s.y), keep(~kinksAtEnd.z, s.z)};
-  rotations = turned(rotations, cross(s, offKinks));
+  rotations = nudged(rotations, cross(s, offKinks));
   u = {clamped(u.x), clamped(u.y), clamped(u.z)};
   return {weights.x * absolute(offKinks.x) + weights.y * absolute(offKinks.y) + weights.z * absolute(offKinks.z), done & valid};
 }
