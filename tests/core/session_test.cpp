@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "session/numbering.h"
+#include "methods/numbering.h"
 #include "support/shapes.h"
 
 using namespace whittle;

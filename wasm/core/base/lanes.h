@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
@@ -43,6 +44,12 @@ inline Lanes loadSplat(const float* p) {
 struct alignas(16) LaneRow {
   float x = 0, y = 0, z = 0, spare = 0;
 };
+
+/// One after the other, filled up to whole batches where elements are taken four at a time.
+using LaneRows = std::vector<LaneRow>;
+
+/// How many batches of four hold so many elements; the last one is filled up with elements that stand for nothing.
+inline std::size_t batchCount(std::int32_t elements) { return (static_cast<std::size_t>(elements) + 3) / 4; }
 
 inline Lanes toSingle(DoubleLanes v) { return __builtin_convertvector(v, Lanes); }
 inline DoubleLanes toDouble(Lanes v) { return __builtin_convertvector(v, DoubleLanes); }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geometry/lane_algebra.h"
+#include "base/lanes.h"
 #include "mesh/adjacency.h"
 
 namespace whittle {

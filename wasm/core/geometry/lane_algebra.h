@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "base/lanes.h"
 #include "base/types.h"
 
@@ -15,9 +13,6 @@ struct VectorLanes {
 struct MatrixLanes {
   Lanes m[3][3];
 };
-
-/// Vectors in single precision one after the other, filled up to whole batches where elements are taken four at a time.
-using LaneRows = std::vector<LaneRow>;
 
 /// Which rows the lanes of a batch are.
 struct RowIndices {
@@ -36,9 +31,6 @@ struct QuaternionLanes {
 struct SymmetricLanes {
   Lanes xx, xy, xz, yy, yz, zz;
 };
-
-/// How many batches of four hold so many elements; the last one is filled up with elements that stand for nothing.
-inline std::size_t batchCount(Index elements) { return (static_cast<std::size_t>(elements) + 3) / 4; }
 
 /// Four rows, one a lane.
 inline VectorLanes lanesOf(Lanes a, Lanes b, Lanes c, Lanes d) {

@@ -1,4 +1,4 @@
-#include "session/numbering.h"
+#include "methods/numbering.h"
 
 #include "linear/ordering.h"
 
