@@ -90,10 +90,11 @@ MeshReport inspect(const TriangleMesh& mesh) {
   report.isolatedVertices = static_cast<Index>(std::count(used.begin(), used.end(), false));
   report.components = connectedComponents(mesh.triangles, mesh.vertexCount()).count - report.isolatedVertices;
 
-  const EdgeCounts edges = countEdges(mesh.triangles);
+  const Fans fans(mesh.triangles, mesh.vertexCount());
+  const EdgeCounts edges = countEdges(mesh.triangles, fans);
   report.boundaryEdges = edges.boundary;
   report.nonManifoldEdges = edges.nonManifold;
-  report.duplicateFaces = countDuplicateFaces(mesh.triangles);
+  report.duplicateFaces = countDuplicateFaces(mesh.triangles, fans);
   report.min = mesh.positions.colwise().minCoeff().transpose();
   report.max = mesh.positions.colwise().maxCoeff().transpose();
   return report;
