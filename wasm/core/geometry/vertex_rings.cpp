@@ -1,6 +1,6 @@
 #include "geometry/vertex_rings.h"
 
-#include "base/tiering.h"
+#include "mesh/adjacency.h"
 
 namespace whittle {
 
@@ -48,46 +48,34 @@ void VertexRings::collectRings(const TriangleMesh& rest, const CornerScalars& ha
   for (Index f = 0; f < rest.faceCount(); ++f) gradients[f] = cornerGradients(rest, halfCotangents, f) / kVisits;
   std::vector<Index> place(vertexCount, -1);  // of a vertex in the lists, if it is in this ring
   std::vector<Vec3> ring;
-  start_.reserve(vertexCount + 1);
   start_.assign(1, 0);
   spokes_.reserve(rest.triangles.size());
   weights_.reserve(rest.triangles.size());
   for (Index k = 0; k < vertexCount; ++k) {
-    collectRing(k, rest.triangles, halfCotangents, fans, gradients, place, ring);
+    ring.clear();
+    for (Index p = fans.start[k]; p < fans.start[k + 1]; ++p) {
+      const Index f = fans.corners[p] / 3;
+      const Mat3& g = gradients[f];
+      const int* const others = kOtherCorners[fans.corners[p] % 3];
+      for (int i = 0; i < 2; ++i) {
+        const Index j = rest.triangles(f, others[i]);
+        if (j == k) continue;
+        if (place[j] < start_[k]) {
+          place[j] = static_cast<Index>(spokes_.size());
+          spokes_.push_back({0, 0, 0, j});
+          weights_.push_back(0);
+          ring.push_back(Vec3::Zero());
+        }
+        ring[place[j] - start_[k]] += g.col(others[i]);
+        weights_[place[j]] += halfCotangents(f, others[1 - i]);
+      }
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Spoke& spoke = spokes_[start_[k] + i];
+      spoke.x = static_cast<float>(ring[i].x()), spoke.y = static_cast<float>(ring[i].y()), spoke.z = static_cast<float>(ring[i].z());
+    }
     start_.push_back(static_cast<Index>(spokes_.size()));
   }
-}
-
-WHITTLE_OWN_FUNCTION void VertexRings::collectRing(Index k, const Triangles& triangles, const CornerScalars& halfCotangents,
-                                                   const Fans& fans, const std::vector<Mat3>& gradients, std::vector<Index>& place,
-                                                   std::vector<Vec3>& ring) {
-  // Room for the most that there can be, all zero. Then no branch asks which face comes first at an edge, which is anyone's guess.
-  const Index begin = start_[k], most = 2 * (fans.start[k + 1] - fans.start[k]) + 1;
-  spokes_.resize(begin + most);
-  weights_.resize(begin + most, 0);
-  ring.assign(most, Vec3::Zero());
-  Index end = begin;
-  for (Index p = fans.start[k]; p < fans.start[k + 1]; ++p) {
-    const Index f = fans.corners[p] / 3;
-    const int* const others = kOtherCorners[fans.corners[p] % 3];
-    for (int i = 0; i < 2; ++i) {
-      const Index j = triangles(f, others[i]);
-      if (j == k) continue;
-      const bool isFirst = place[j] < begin;
-      const Index own = isFirst ? end : place[j];
-      end += isFirst;
-      place[j] = own;
-      spokes_[own].neighbour = j;
-      ring[own - begin] += gradients[f].col(others[i]);
-      weights_[own] += halfCotangents(f, others[1 - i]);
-    }
-  }
-  for (Index s = begin; s < end; ++s) {
-    const Vec3& g = ring[s - begin];
-    spokes_[s].x = static_cast<float>(g.x()), spokes_[s].y = static_cast<float>(g.y()), spokes_[s].z = static_cast<float>(g.z());
-  }
-  spokes_.resize(end);
-  weights_.resize(end);
 }
 
 VertexRings::RingSums VertexRings::sumRing(const Points& output, Index k) const {

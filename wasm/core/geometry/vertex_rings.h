@@ -1,7 +1,6 @@
 #pragma once
 
 #include "geometry/edge_set.h"
-#include "mesh/adjacency.h"
 
 namespace whittle {
 
@@ -39,8 +38,6 @@ class VertexRings : public EdgeSet {
   /// The first three rows of four vertices, times what makes them covariances, one vertex a lane.
   static void storeCovariances(const RingSums* sums, CovarianceLanes& covariances);
   void collectRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
-  void collectRing(Index k, const Triangles& triangles, const CornerScalars& halfCotangents, const Fans& fans,
-                   const std::vector<Mat3>& gradients, std::vector<Index>& place, std::vector<Vec3>& ring);
 
   std::vector<Index> start_;     // #V + 1
   std::vector<Spoke> spokes_;    // ring by ring
