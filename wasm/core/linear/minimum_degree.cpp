@@ -189,10 +189,8 @@ WHITTLE_OWN_FUNCTION void MinimumDegree::updateVariables(Index pivot) {
       continue;
     }
     degree_[variable] = std::min(degree_[variable], degree);
-    Index& bucket = bucket_[hash % n_];
     previous_[variable] = static_cast<Index>(hash % n_);
-    next_[variable] = bucket;
-    bucket = variable;
+    next_[variable] = std::exchange(bucket_[previous_[variable]], variable);
   }
 }
 
