@@ -57,7 +57,9 @@ std::vector<std::vector<Index>> eliminate(const Graph& graph, const std::vector<
 }
 
 Index entries(const std::vector<std::vector<Index>>& columns) {
-  return std::accumulate(columns.begin(), columns.end(), 0, [](Index sum, const auto& rows) { return sum + static_cast<Index>(rows.size()); });
+  Index sum = 0;
+  for (const std::vector<Index>& rows : columns) sum += static_cast<Index>(rows.size());
+  return sum;
 }
 
 /// Eigen's approximate minimum degree.
@@ -77,7 +79,7 @@ TEST_CASE("every order is a permutation, however odd the graph or its coordinate
     CHECK(isPermutation(minimumDegreeOrder(graph), n));
     Points coordinates = randomPoints(n, noise);
     CHECK(isPermutation(nestedDissectionOrder(graph, coordinates), n));
-    CHECK(isPermutation(eliminationOrder(graph, &coordinates, 100000), n));  // by cuts, and then sorted by the tree
+    CHECK(isPermutation(eliminationOrder(graph, &coordinates, 100000), n));  // by cuts
     for (Index i = 0; i < n; ++i) coordinates.row(i) << i, i % 3, 0;
     CHECK(isPermutation(nestedDissectionOrder(graph, coordinates), n));
     CHECK(isPermutation(nestedDissectionOrder(graph, Points::Constant(n, 3, 0.25)), n));
@@ -112,7 +114,7 @@ TEST_CASE("minimum degree leaves no fill in trees, stars and cliques, in no numb
     check(n, randomTree(n, noise));
   }
   check(60, complete(60));
-  // Rings of triangles: a strip.
+  // A strip of triangles.
   Edges strip = path(300);
   for (Index i = 2; i < 300; ++i) strip.emplace_back(i - 2, i);
   check(300, strip);

@@ -22,7 +22,7 @@ class LaplacianAssembly {
  public:
   LaplacianAssembly(const Triangles& triangles, const CornerScalars& halfCotangents, Index vertexCount)
       : triangles_(triangles), halfCotangents_(halfCotangents), vertexCount_(vertexCount), diagonal_(vertexCount, 0),
-        rowEnd_(vertexCount + 1, 0), seenAt_(vertexCount, -1), L_(vertexCount, vertexCount) {}
+        rowStart_(vertexCount + 1, 0), seenAt_(vertexCount, -1), L_(vertexCount, vertexCount) {}
 
   SparseMatrix assemble();
 
@@ -44,7 +44,7 @@ class LaplacianAssembly {
   const Index vertexCount_;
   std::vector<Term> terms_;       // by rows, then summed
   std::vector<double> diagonal_;
-  std::vector<Index> rowEnd_;     // #V + 1, in `terms_`, of the row before
+  std::vector<Index> rowStart_;   // #V + 1, in `terms_`
   std::vector<Index> seenAt_;     // where a column last had a term
   SparseMatrix L_;
 };
@@ -63,9 +63,9 @@ SparseMatrix LaplacianAssembly::assemble() {
   gatherTerms();
   Index kept = 0;
   for (Index row = 0, begin = 0; row < vertexCount_; ++row) {
-    const Index end = rowEnd_[row + 1];
+    const Index end = rowStart_[row + 1];
     kept = sumRow(begin, end, kept);
-    rowEnd_[row + 1] = kept;
+    rowStart_[row + 1] = kept;
     begin = end;
   }
   terms_.resize(kept);
@@ -83,7 +83,7 @@ void LaplacianAssembly::gatherTerms() {
     diagonal_[column] += c;
     diagonal_[row] += c;
   });
-  std::copy(next.begin(), next.end() - 1, rowEnd_.begin());
+  std::copy(next.begin(), next.end() - 1, rowStart_.begin());
 }
 
 /// Adds up the terms of the same column and moves the sums to the front.
@@ -116,7 +116,7 @@ void LaplacianAssembly::handOut() {
   };
   for (Index row = 0; row < vertexCount_; ++row) {
     put(row, row, diagonal_[row]);
-    for (Index t = rowEnd_[row]; t < rowEnd_[row + 1]; ++t) put(row, terms_[t].column, terms_[t].value);
+    for (Index t = rowStart_[row]; t < rowStart_[row + 1]; ++t) put(row, terms_[t].column, terms_[t].value);
   }
 }
 
