@@ -13,7 +13,8 @@ using namespace whittle::testing;
 namespace {
 
 Eigen::MatrixXd denseLaplacian(const TriangleMesh& mesh) {
-  return cotangentLaplacian(mesh.triangles, halfCotangents(mesh.positions, mesh.triangles), mesh.vertexCount());
+  const SparseMatrix lower = cotangentLaplacian(mesh.triangles, halfCotangents(mesh.positions, mesh.triangles), mesh.vertexCount());
+  return SparseMatrix(lower.selfadjointView<Eigen::Lower>());
 }
 
 double smallestEigenvalue(const Eigen::MatrixXd& A) {

@@ -1,10 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "linear/elimination_tree.h"
+#include "linear/minimum_degree.h"
 #include "linear/nested_dissection.h"
 #include "linear/ordering.h"
 #include "linear/vertex_cover.h"
@@ -30,9 +33,40 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
 
 /// Entries of the factor.
 Index fill(const Graph& graph, const std::vector<Index>& order) {
-  const UpperPattern pattern = upperPattern(graph, inverse(order));
-  const std::vector<Index> counts = columnCounts(pattern, eliminationTree(pattern));
+  const std::vector<Index> counts = columnCounts(graph, eliminationTree(graph, order));
   return std::accumulate(counts.begin(), counts.end(), 0);
+}
+
+/// The rows below the diagonal of each column of L, ascending, by eliminating node after node.
+std::vector<std::vector<Index>> eliminate(const Graph& graph, const std::vector<Index>& order) {
+  const Index n = graph.size();
+  const std::vector<Index> positionOf = inverse(order);
+  std::vector<std::set<Index>> rows(n);
+  for (Index node = 0; node < n; ++node) {
+    for (Index p = graph.start[node]; p < graph.start[node + 1]; ++p) {
+      const auto [column, row] = std::minmax(positionOf[node], positionOf[graph.neighbours[p]]);
+      rows[column].insert(row);
+    }
+  }
+  std::vector<std::vector<Index>> result(n);
+  for (Index column = 0; column < n; ++column) {
+    result[column].assign(rows[column].begin(), rows[column].end());
+    for (std::size_t k = 1; k < result[column].size(); ++k) rows[result[column][0]].insert(result[column][k]);
+  }
+  return result;
+}
+
+Index entries(const std::vector<std::vector<Index>>& columns) {
+  Index sum = 0;
+  for (const std::vector<Index>& rows : columns) sum += static_cast<Index>(rows.size());
+  return sum;
+}
+
+/// Eigen's approximate minimum degree.
+std::vector<Index> plainMinimumDegree(const SparseMatrix& A) {
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> order;
+  Eigen::AMDOrdering<Index>()(A.selfadjointView<Eigen::Lower>(), order);
+  return {order.indices().data(), order.indices().data() + order.size()};
 }
 
 }  // namespace
@@ -45,7 +79,7 @@ TEST_CASE("every order is a permutation, however odd the graph or its coordinate
     CHECK(isPermutation(minimumDegreeOrder(graph), n));
     Points coordinates = randomPoints(n, noise);
     CHECK(isPermutation(nestedDissectionOrder(graph, coordinates), n));
-    CHECK(isPermutation(eliminationOrder(graph, &coordinates, 100000), n));  // by cuts, and then sorted by the tree
+    CHECK(isPermutation(eliminationOrder(graph, &coordinates, 100000), n));  // by cuts
     for (Index i = 0; i < n; ++i) coordinates.row(i) << i, i % 3, 0;
     CHECK(isPermutation(nestedDissectionOrder(graph, coordinates), n));
     CHECK(isPermutation(nestedDissectionOrder(graph, Points::Constant(n, 3, 0.25)), n));
@@ -62,6 +96,51 @@ TEST_CASE("every order is a permutation, however odd the graph or its coordinate
   }
   check(130, complete(130));
   check(900, gridEdges(30));
+}
+
+TEST_CASE("minimum degree leaves no fill in trees, stars and cliques, in no numbering") {
+  Noise noise;
+  const auto check = [&](Index n, Edges edges) {
+    const std::vector<Index> newOf = inverse(minimumDegreeOrder(graphOf(n, randomTree(n, noise))));  // any numbering
+    for (auto& [a, b] : edges) a = newOf[a], b = newOf[b];
+    const Graph graph = graphOf(n, edges);
+    CHECK(fill(graph, minimumDegreeOrder(graph)) == n + static_cast<Index>(edges.size()));
+  };
+  for (const Index n : {1, 2, 17, 400}) {
+    check(n, {});
+    check(n, path(n));
+    check(n, star(n));
+    check(n, islands(n));
+    check(n, randomTree(n, noise));
+  }
+  check(60, complete(60));
+  // A strip of triangles.
+  Edges strip = path(300);
+  for (Index i = 2; i < 300; ++i) strip.emplace_back(i - 2, i);
+  check(300, strip);
+}
+
+TEST_CASE("minimum degree leaves about as little fill as Eigen's") {
+  Noise noise;
+  const auto check = [&](Index n, const Edges& edges, double most) {
+    const SparseMatrix A = matrixOn(n, edges, noise);
+    const Graph graph = graphOf(A);
+    CHECK(fill(graph, minimumDegreeOrder(graph)) < most * fill(graph, plainMinimumDegree(A)));
+  };
+  for (const TriangleMesh& mesh : {sphere(3), bent(sphere(4)), sphere(5), grid(40), torus(40)}) {
+    check(mesh.vertexCount(), edgesOf(mesh), 1.03);
+  }
+  check(900, gridEdges(30), 1.03);
+  check(600, randomEdges(600, 1800, noise), 1.03);
+}
+
+TEST_CASE("minimum degree puts nodes of very many neighbours last") {
+  Noise noise;
+  Edges edges = gridEdges(40);
+  for (Index i = 1; i < 1600; ++i) edges.emplace_back(i % 2 ? 700 : 900, i % 2 ? (i == 700 ? 0 : i) : (i == 900 ? 0 : i));
+  const std::vector<Index> order = minimumDegreeOrder(graphOf(matrixOn(1600, edges, noise)));
+  CHECK(order[1598] == 700);
+  CHECK(order[1599] == 900);
 }
 
 TEST_CASE("no coordinates, or too few of them, mean minimum degree") {
@@ -83,15 +162,39 @@ TEST_CASE("nested dissection leaves less fill than minimum degree on closed mesh
   CHECK(ratio(grid(60)) < 1.05);
 }
 
-TEST_CASE("an elimination order is sorted by its own tree") {
+TEST_CASE("an elimination tree and its counts are those of elimination itself, from subtree to subtree") {
   Noise noise;
-  for (const Index blockSize : {1, 1000}) {
-    const TriangleMesh mesh = sphere(3);
-    const Graph graph = graphOf(mesh.vertexCount(), edgesOf(mesh));
-    const std::vector<Index> order = eliminationOrder(graph, &mesh.positions, blockSize);
-    const std::vector<Index> again = postorder(eliminationTree(upperPattern(graph, inverse(order))));
-    CHECK(std::is_sorted(again.begin(), again.end()));
+  const auto check = [&](Index n, const Edges& edges) {
+    const Graph graph = graphOf(matrixOn(n, edges, noise));
+    const std::vector<Index> order = minimumDegreeOrder(graphOf(n, randomTree(n, noise)));  // any order
+    const EliminationTree tree = eliminationTree(graph, order);
+    CHECK(isPermutation(tree.order, n));
+    CHECK(tree.positionOf == inverse(tree.order));
+    const std::vector<std::vector<Index>> given = eliminate(graph, order), sorted = eliminate(graph, tree.order);
+    CHECK(entries(given) == entries(sorted));
+    std::vector<Index> parent, counts;
+    for (Index column = 0; column < n; ++column) {
+      counts.push_back(1 + static_cast<Index>(sorted[column].size()));
+      parent.push_back(sorted[column].empty() ? -1 : sorted[column].front());
+    }
+    CHECK(tree.parent == parent);
+    CHECK(columnCounts(graph, tree) == counts);
+    // Each column comes right after the last of its children, if it has any.
+    for (Index column = 0; column + 1 < n; ++column) {
+      const bool isLeaf = std::find(parent.begin(), parent.end(), column + 1) == parent.end();
+      CHECK((isLeaf || parent[column] == column + 1));
+    }
+  };
+  for (const Index n : {1, 2, 30, 90}) {
+    check(n, {});
+    check(n, path(n));
+    check(n, star(n));
+    check(n, islands(n));
+    check(n, randomTree(n, noise));
+    check(n, randomEdges(n, 2 * n, noise));
   }
+  check(40, complete(40));
+  check(100, gridEdges(10));
 }
 
 TEST_CASE("the graph of a matrix in blocks joins nodes once") {

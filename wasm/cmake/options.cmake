@@ -29,5 +29,10 @@ if(EMSCRIPTEN)
   else()
     set(WHITTLE_STACK -sSTACK_SIZE=1MB)
   endif()
-  set(WHITTLE_WASM_LINK -O3 -mbulk-memory -sALLOW_MEMORY_GROWTH=1 -sMEMORY_GROWTH_LINEAR_STEP=4MB -sINITIAL_MEMORY=64MB -sMAXIMUM_MEMORY=4GB ${WHITTLE_STACK})
+  # By default wasm-opt moves every function that has one caller into it. The giants that come of it run in the browser's quick
+  # and slow code to their end, while it compiles them well, for longer than they run and for nothing: it cannot exchange the code
+  # of a function that runs. Small functions are compiled in no time and exchanged at the next call.
+  set(WHITTLE_INLINING -sBINARYEN_EXTRA_PASSES=--one-caller-inline-max-function-size=20)
+  set(WHITTLE_WASM_LINK -O3 -mbulk-memory -sALLOW_MEMORY_GROWTH=1 -sMEMORY_GROWTH_LINEAR_STEP=4MB -sINITIAL_MEMORY=64MB -sMAXIMUM_MEMORY=4GB ${WHITTLE_STACK}
+      ${WHITTLE_INLINING})
 endif()

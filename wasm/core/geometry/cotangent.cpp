@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
+
+#include "base/tiering.h"
 
 namespace whittle {
 
@@ -11,6 +15,110 @@ namespace {
 /// Twice the area is at least this share of the longest edge squared. The numerators alone form a semidefinite matrix,
 /// so any positive floor keeps L semidefinite; this one keeps its condition within reach of double precision.
 constexpr double kAreaFloor = 1e-8;
+
+/// Sums what the faces add to each edge. Terms are gathered by rows; rows come in order, so that when each hands its sums out to the
+/// columns, these are sorted.
+class LaplacianAssembly {
+ public:
+  LaplacianAssembly(const Triangles& triangles, const CornerScalars& halfCotangents, Index vertexCount)
+      : triangles_(triangles), halfCotangents_(halfCotangents), vertexCount_(vertexCount), diagonal_(vertexCount, 0),
+        rowStart_(vertexCount + 1, 0), seenAt_(vertexCount, -1), L_(vertexCount, vertexCount) {}
+
+  SparseMatrix assemble();
+
+ private:
+  struct Term {
+    Index column;
+    double value;
+  };
+
+  /// Calls `visit` with the row, the column and the half cotangent of the edge opposite to each corner.
+  template <typename Visit>
+  void forEachEdge(Visit visit) const;
+  void gatherTerms();
+  Index sumRow(Index begin, Index end, Index kept);
+  void handOut();
+
+  const Triangles& triangles_;
+  const CornerScalars& halfCotangents_;
+  const Index vertexCount_;
+  std::vector<Term> terms_;       // by rows, then summed
+  std::vector<double> diagonal_;
+  std::vector<Index> rowStart_;   // #V + 1, in `terms_`
+  std::vector<Index> seenAt_;     // where a column last had a term
+  SparseMatrix L_;
+};
+
+template <typename Visit>
+void LaplacianAssembly::forEachEdge(Visit visit) const {
+  for (Index f = 0; f < triangles_.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const auto [column, row] = std::minmax(triangles_(f, (k + 1) % 3), triangles_(f, (k + 2) % 3));
+      if (row != column) visit(row, column, halfCotangents_(f, k));
+    }
+  }
+}
+
+SparseMatrix LaplacianAssembly::assemble() {
+  gatherTerms();
+  Index kept = 0;
+  for (Index row = 0, begin = 0; row < vertexCount_; ++row) {
+    const Index end = rowStart_[row + 1];
+    kept = sumRow(begin, end, kept);
+    rowStart_[row + 1] = kept;
+    begin = end;
+  }
+  terms_.resize(kept);
+  handOut();
+  return std::move(L_);
+}
+
+void LaplacianAssembly::gatherTerms() {
+  std::vector<Index> next(vertexCount_ + 2, 0);  // two ahead, so that filling them in leaves the ends
+  forEachEdge([&](Index row, Index, double) { ++next[row + 2]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  terms_.resize(next.back());
+  forEachEdge([&](Index row, Index column, double c) {
+    terms_[next[row + 1]++] = {column, -c};
+    diagonal_[column] += c;
+    diagonal_[row] += c;
+  });
+  std::copy(next.begin(), next.end() - 1, rowStart_.begin());
+}
+
+/// Adds up the terms of the same column and moves the sums to the front.
+WHITTLE_OWN_FUNCTION Index LaplacianAssembly::sumRow(Index begin, Index end, Index kept) {
+  const Index first = kept;
+  for (Index t = begin; t < end; ++t) {
+    const Term term = terms_[t];
+    Index& place = seenAt_[term.column];
+    if (place >= first) {
+      terms_[place].value += term.value;
+    } else {
+      place = kept;
+      terms_[kept++] = term;
+    }
+  }
+  return kept;
+}
+
+void LaplacianAssembly::handOut() {
+  Index* const start = L_.outerIndexPtr();
+  for (Index column = 0; column < vertexCount_; ++column) start[column + 1] = 1;
+  for (const Term& term : terms_) ++start[term.column + 1];
+  std::partial_sum(start, start + vertexCount_ + 1, start);
+  L_.resizeNonZeros(start[vertexCount_]);
+  std::vector<Index> next(start, start + vertexCount_);
+  const auto put = [&](Index row, Index column, double value) {
+    const Index place = next[column]++;
+    L_.innerIndexPtr()[place] = row;
+    L_.valuePtr()[place] = value;
+  };
+  for (Index row = 0; row < vertexCount_; ++row) {
+    put(row, row, diagonal_[row]);
+    for (Index t = rowStart_[row]; t < rowStart_[row + 1]; ++t) put(row, terms_[t].column, terms_[t].value);
+  }
+}
 
 }  // namespace
 
@@ -44,32 +152,13 @@ void halfCotangents(const Points& positions, const Triangles& triangles, CornerS
 }
 
 SparseMatrix cotangentLaplacian(const Triangles& triangles, const CornerScalars& halfCotangents, Index vertexCount) {
-  // Half the matrix in triplets, the other half by symmetry: the triplets are the peak of the memory use.
-  std::vector<Eigen::Triplet<double, Index>> lower;
-  lower.reserve(3 * triangles.rows() + vertexCount);
-  Scalars diagonal = Scalars::Zero(vertexCount);
-  for (Index f = 0; f < triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const Index i = triangles(f, (k + 1) % 3);
-      const Index j = triangles(f, (k + 2) % 3);
-      if (i == j) continue;
-      const double c = halfCotangents(f, k);
-      lower.emplace_back(std::max(i, j), std::min(i, j), -c);
-      diagonal[i] += c;
-      diagonal[j] += c;
-    }
-  }
-  for (Index v = 0; v < vertexCount; ++v) lower.emplace_back(v, v, diagonal[v]);
-  SparseMatrix half(vertexCount, vertexCount);
-  half.setFromTriplets(lower.begin(), lower.end());
-  return half.selfadjointView<Eigen::Lower>();
+  return LaplacianAssembly(triangles, halfCotangents, vertexCount).assemble();
 }
 
 LaplacianPattern::LaplacianPattern(const Triangles& triangles, Index vertexCount, const std::vector<Index>& held)
     : triangles_(triangles), isHeld_(vertexCount, false), edgePlaces_(triangles.rows(), 3) {
   for (const Index v : held) isHeld_[v] = true;
-  lower_ = cotangentLaplacian(triangles, CornerScalars::Ones(triangles.rows(), 3), vertexCount).triangularView<Eigen::Lower>();
-  lower_.makeCompressed();
+  lower_ = cotangentLaplacian(triangles, CornerScalars::Ones(triangles.rows(), 3), vertexCount);
   for (Index f = 0; f < triangles.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
       const auto [column, row] = std::minmax(triangles(f, (k + 1) % 3), triangles(f, (k + 2) % 3));

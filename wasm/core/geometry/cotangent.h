@@ -14,8 +14,8 @@ CornerScalars halfCotangents(const Points& positions, const Triangles& triangles
 /// The same without allocating, into `cotangents` (#F×3).
 void halfCotangents(const Points& positions, const Triangles& triangles, CornerScalars& cotangents);
 
-/// Cotangent Laplacian L (#V×#V, symmetric positive semidefinite, both triangles stored): L_ij = −Σ c_fe over the faces
-/// of edge ij, rows sum to zero. A vertex without a face has an empty row.
+/// The lower triangle of the cotangent Laplacian L (#V×#V, symmetric positive semidefinite): L_ij = −Σ c_fe over the faces of edge
+/// ij, rows of the whole sum to zero. The diagonal is always stored; of a vertex without a face it is zero.
 SparseMatrix cotangentLaplacian(const Triangles& triangles, const CornerScalars& halfCotangents, Index vertexCount);
 
 /// The cotangent Laplacian of triangles whose vertices move: its pattern is found once and its values are filled in anew without

@@ -1,7 +1,8 @@
 #include "geometry/vertex_rings.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "mesh/adjacency.h"
 
 namespace whittle {
 
@@ -9,18 +10,6 @@ namespace {
 
 constexpr double kVisits = 3;          // elements that see each face
 constexpr float kScale = 2 * kVisits;  // of ring sums that makes covariances of them
-
-/// Faces of each vertex.
-struct Fans {
-  std::vector<Index> start, faces;
-
-  Fans(const Triangles& triangles, Index vertexCount) : start(vertexCount + 1, 0), faces(triangles.size()) {
-    for (Index i = 0; i < triangles.size(); ++i) ++start[triangles.data()[i] + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<Index> next(start.begin(), start.end() - 1);
-    for (Index i = 0; i < triangles.size(); ++i) faces[next[triangles.data()[i]]++] = i / 3;
-  }
-};
 
 /// A neighbour in the ring of a vertex, before it is rounded.
 struct WideSpoke {
@@ -40,7 +29,7 @@ class RingCollector {
 
   /// Into an empty list.
   void collect(Index k, std::vector<WideSpoke>& ring) {
-    for (Index p = fans_.start[k]; p < fans_.start[k + 1]; ++p) addFace(k, fans_.faces[p], ring);
+    for (Index p = fans_.start[k]; p < fans_.start[k + 1]; ++p) addFace(k, fans_.corners[p], ring);
     for (const WideSpoke& spoke : ring) place_[spoke.neighbour] = -1;
   }
 
@@ -52,17 +41,19 @@ class RingCollector {
   }
 
  private:
-  void addFace(Index k, Index f, std::vector<WideSpoke>& ring) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const Index j = rest_.triangles(f, corner);
+  /// What the face of a corner of k says of its other two.
+  void addFace(Index k, Index corner, std::vector<WideSpoke>& ring) {
+    const Index f = corner / 3;
+    const int* const others = kOtherCorners[corner % 3];
+    for (int i = 0; i < 2; ++i) {
+      const Index j = rest_.triangles(f, others[i]);
       if (j == k) continue;
       if (place_[j] < 0) {
         place_[j] = static_cast<Index>(ring.size());
         ring.push_back({Vec3::Zero(), 0, j});
       }
-      const int opposite = rest_.triangles(f, (corner + 1) % 3) == k ? (corner + 2) % 3 : (corner + 1) % 3;
-      ring[place_[j]].gradient += gradients_[f].col(corner);
-      ring[place_[j]].weight += halfCotangents_(f, opposite);
+      ring[place_[j]].gradient += gradients_[f].col(others[i]);
+      ring[place_[j]].weight += halfCotangents_(f, others[1 - i]);
     }
   }
 

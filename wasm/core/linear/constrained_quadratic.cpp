@@ -22,7 +22,7 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   if (freeCount == 0) return {};
 
   SparseMatrix freeBlock(freeCount, freeCount);  // its lower half
-  freeBlock.reserve((A.nonZeros() + A.rows()) / 2);
+  freeBlock.reserve(A.nonZeros());
   for (Index column = 0; column < freeCount; ++column) {
     freeBlock.startVec(column);
     for (SparseMatrix::InnerIterator entry(A, free_[column]); entry; ++entry) {

@@ -12,7 +12,8 @@ namespace whittle {
 /// end: the error of each solve is relative to the step that it takes.
 class ConstrainedQuadratic {
  public:
-  /// Factors the free block of A (#n×#n, symmetric, positive definite on the free rows). `held` may hold an index twice.
+  /// Factors the free block of A (#n×#n, symmetric, positive definite on the free rows; only the lower triangle is read). `held` may
+  /// hold an index twice.
   /// A is taken over and let go before the factorization, whose memory is the peak. Fails with `numericalFailure`.
   /// @param ordering of all rows of A, held ones too, in blocks of 1
   Status prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering = {});

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/tiering.h"
+
 namespace whittle {
 
 namespace {
@@ -51,8 +53,8 @@ void subtractPart(double* C, Index ldC, const Tile& tile, Index rows, Index colu
 }
 
 /// y −= X f for `count` contiguous columns of X, four at a time so that y is not written after each.
-void subtractColumns(double* __restrict y, const double* __restrict X, Index ld, const double* f, Index stride, Index count,
-                     Index rows) {
+WHITTLE_OWN_FUNCTION void subtractColumns(double* __restrict y, const double* __restrict X, Index ld, const double* f, Index stride,
+                                          Index count, Index rows) {
   Index l = 0;
   for (; l + 3 < count; l += 4, X += 4 * static_cast<std::ptrdiff_t>(ld), f += 4 * static_cast<std::ptrdiff_t>(stride)) {
     const double f0 = f[0], f1 = f[stride], f2 = f[2 * stride], f3 = f[3 * stride];

@@ -6,24 +6,20 @@
 
 namespace whittle {
 
-/// The rows above the diagonal of each column of a symmetric matrix, after renumbering: all that symbolic analysis reads.
-struct UpperPattern {
-  std::vector<Index> start;  // #columns + 1
-  std::vector<Index> rows;   // row < column, in no order
+/// The nodes of a graph in the order in which they are eliminated, and the tree of it. All that symbolic analysis reads.
+struct EliminationTree {
+  std::vector<Index> order;       // position → node; children come before parents, subtrees in one piece
+  std::vector<Index> positionOf;  // node → position
+  std::vector<Index> parent;      // of each position, the first row below the diagonal of that column of L; −1 for roots
 
-  Index size() const { return static_cast<Index>(start.size()) - 1; }
+  Index size() const { return static_cast<Index>(order.size()); }
 };
 
-/// @param newOf new number of each node
-UpperPattern upperPattern(const Graph& graph, const std::vector<Index>& newOf);
+/// The elimination tree of nodes in any order (position → node). The order is changed to one that leaves the very same fill and
+/// goes through the tree from subtree to subtree.
+EliminationTree eliminationTree(const Graph& graph, const std::vector<Index>& order);
 
-/// Parent of each column in the elimination tree (the first row below the diagonal of that column of L), −1 for roots.
-std::vector<Index> eliminationTree(const UpperPattern& pattern);
-
-/// Children before parents, subtrees in one piece: position → column.
-std::vector<Index> postorder(const std::vector<Index>& parent);
-
-/// Entries of each column of L, diagonal included.
-std::vector<Index> columnCounts(const UpperPattern& pattern, const std::vector<Index>& parent);
+/// Entries of each column of L, diagonal included (Gilbert, Ng and Peyton 1994), in time that hardly depends on how many they are.
+std::vector<Index> columnCounts(const Graph& graph, const EliminationTree& tree);
 
 }  // namespace whittle

@@ -31,27 +31,6 @@ Graph graphOf(Index nodes, const std::vector<std::pair<Index, Index>>& edges) {
   });
 }
 
-Graph graphOf(const Triangles& triangles, Index vertexCount) {
-  std::vector<Index> start(vertexCount + 1, 0), corners(triangles.size());  // of each vertex
-  for (Index i = 0; i < triangles.size(); ++i) ++start[triangles.data()[i] + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Index> next(start.begin(), start.end() - 1);
-  for (Index i = 0; i < triangles.size(); ++i) corners[next[triangles.data()[i]]++] = i;
-  std::vector<Index> lastSeen(vertexCount);
-  return assemble(vertexCount, [&](auto&& visit) {
-    std::fill(lastSeen.begin(), lastSeen.end(), -1);
-    for (Index v = 0; v < vertexCount; ++v) {
-      for (Index p = start[v]; p < start[v + 1]; ++p) {
-        for (const Index other : triangles.row(corners[p] / 3)) {
-          if (other <= v || lastSeen[other] == v) continue;
-          lastSeen[other] = v;
-          visit(v, other);
-        }
-      }
-    }
-  });
-}
-
 Graph graphOf(const SparseMatrix& A, Index blockSize) {
   const Index nodes = static_cast<Index>(A.cols()) / blockSize;
   std::vector<Index> lastSeen(nodes);  // a block counts once, however many entries it has

@@ -19,9 +19,6 @@ struct Graph {
 /// @param edges both ends of each, no edge twice
 Graph graphOf(Index nodes, const std::vector<std::pair<Index, Index>>& edges);
 
-/// The graph of the edges of a mesh.
-Graph graphOf(const Triangles& triangles, Index vertexCount);
-
 /// The graph of a symmetric matrix whose unknowns come in blocks: `blockSize`·node + component. Two nodes are neighbours if
 /// any of their components are coupled. Of A only the lower triangle is read, and of that only the pattern.
 Graph graphOf(const SparseMatrix& A, Index blockSize = 1);

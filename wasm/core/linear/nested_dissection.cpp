@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "linear/ordering.h"
+#include "linear/minimum_degree.h"
 #include "linear/vertex_cover.h"
 
 namespace whittle {

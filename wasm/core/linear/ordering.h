@@ -13,16 +13,10 @@ struct Ordering {
   bool isOrdered = false;                     // whether the nodes come in a good elimination order already
 };
 
-/// Elimination order by approximate minimum degree: position → node.
-std::vector<Index> minimumDegreeOrder(const Graph& graph);
-
 /// An elimination order that keeps the Cholesky factor of matrices on this graph sparse: position → node. Minimum degree for
 /// small systems, nested dissection for large ones with coordinates (#nodes×3; nullptr: unknown), size being counted in
-/// unknowns, `blockSize` per node. Children of the elimination tree come before their parents and subtrees in one piece. It stays
-/// good when nodes are taken out, so one order serves a mesh whatever is held. The same graph gives the same order everywhere.
+/// unknowns, `blockSize` per node. It stays good when nodes are taken out, so one order serves a mesh whatever is held. The same
+/// graph gives the same order everywhere.
 std::vector<Index> eliminationOrder(const Graph& graph, const Points* coordinates = nullptr, Index blockSize = 1);
-
-/// The same elimination with children of the elimination tree before their parents and subtrees in one piece.
-std::vector<Index> postordered(const Graph& graph, const std::vector<Index>& order);
 
 }  // namespace whittle

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/tiering.h"
+
 namespace whittle {
 
 namespace {
@@ -17,6 +19,14 @@ bool arePivotsSound(const double* factor, Index stride, const double* diagonal, 
     if (!(pivot * pivot > kNoise * diagonal[j] && pivot > 1e-30 && pivot < 1e30)) return false;
   }
   return true;
+}
+
+/// Counts, by columns of L, the entries of a column of A's lower triangle.
+WHITTLE_OWN_FUNCTION void countEntries(const SparseMatrix& A, Index column, const Index* newOf, Index* counts) {
+  for (Index p = A.outerIndexPtr()[column]; p < A.outerIndexPtr()[column + 1]; ++p) {
+    const Index row = A.innerIndexPtr()[p];
+    if (row >= column) ++counts[std::min(newOf[row], newOf[column])];
+  }
 }
 
 }  // namespace
@@ -51,31 +61,41 @@ void SparseCholesky::placeRows() {
 }
 
 void SparseCholesky::placeEntries(const SparseMatrix& A) {
-  std::vector<Index> supernodeOf(A.cols());
+  const Index n = static_cast<Index>(A.cols());
+  // By columns of L first. Two ahead, so that filling them in leaves where each begins.
+  std::vector<Index> start(n + 2, 0);
+  for (Index column = 0; column < n; ++column) countEntries(A, column, supernodes_.newOf.data(), start.data() + 2);
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  entries_.resize(start.back());
+  for (Index column = 0; column < n; ++column) sortEntries(A, column, start.data() + 1);
+
+  std::vector<Index> placeOf(n);
+  entryStart_.assign(1, 0);
   for (Index s = 0; s < supernodes_.count(); ++s) {
-    std::fill_n(supernodeOf.begin() + supernodes_.columnStart[s], supernodes_.columns(s), s);
+    placeInPanel(s, start.data(), placeOf.data());
+    entryStart_.push_back(start[supernodes_.columnStart[s + 1]]);
   }
-  const auto forEachEntry = [&](auto&& visit) {
-    for (Index old = 0; old < A.cols(); ++old) {
-      for (Index p = A.outerIndexPtr()[old]; p < A.outerIndexPtr()[old + 1]; ++p) {
-        const Index oldRow = A.innerIndexPtr()[p];
-        if (oldRow < old) continue;
-        const auto [column, row] = std::minmax(supernodes_.newOf[old], supernodes_.newOf[oldRow]);
-        visit(p, supernodeOf[column], row, column);
-      }
-    }
-  };
-  entryStart_.assign(supernodes_.count() + 1, 0);
-  forEachEntry([&](Index, Index s, Index, Index) { ++entryStart_[s + 1]; });
-  std::partial_sum(entryStart_.begin(), entryStart_.end(), entryStart_.begin());
-  entries_.resize(entryStart_.back());
-  std::vector<Index> next(entryStart_.begin(), entryStart_.end() - 1);
-  forEachEntry([&](Index value, Index s, Index row, Index column) {
-    const Index* rows = supernodes_.rowsOf(s);
-    const Index height = supernodes_.height(s);
-    const Index place = static_cast<Index>(std::lower_bound(rows, rows + height, row) - rows);
-    entries_[next[s]++] = {value, place + (column - supernodes_.columnStart[s]) * height};
-  });
+}
+
+/// Puts the entries of a column of A's lower triangle behind those that the columns of L have already, with their rows for places.
+WHITTLE_OWN_FUNCTION void SparseCholesky::sortEntries(const SparseMatrix& A, Index column, Index* ends) {
+  const Index* const newOf = supernodes_.newOf.data();
+  for (Index p = A.outerIndexPtr()[column]; p < A.outerIndexPtr()[column + 1]; ++p) {
+    if (A.innerIndexPtr()[p] < column) continue;
+    const auto [target, row] = std::minmax(newOf[column], newOf[A.innerIndexPtr()[p]]);
+    entries_[ends[target]++] = {p, row};
+  }
+}
+
+/// From rows to places in a panel.
+/// @param start first entry of each column of L, and their end
+WHITTLE_OWN_FUNCTION void SparseCholesky::placeInPanel(Index s, const Index* start, Index* placeOf) {
+  const Index* const rows = supernodes_.rowsOf(s);
+  const Index height = supernodes_.height(s), first = supernodes_.columnStart[s];
+  for (Index r = 0; r < height; ++r) placeOf[rows[r]] = r;
+  for (Index j = 0; j < supernodes_.columns(s); ++j) {
+    for (Index e = start[first + j]; e < start[first + j + 1]; ++e) entries_[e].place = placeOf[entries_[e].place] + j * height;
+  }
 }
 
 void SparseCholesky::measureStack() {

@@ -46,6 +46,8 @@ class SparseCholesky {
 
   void placeRows();
   void placeEntries(const SparseMatrix& A);
+  void sortEntries(const SparseMatrix& A, Index column, Index* ends);
+  void placeInPanel(Index s, const Index* start, Index* placeOf);
   void measureStack();
   bool eliminate(const SparseMatrix& A);
   Index updateSize(Index s) const { return supernodes_.height(s) - supernodes_.columns(s); }

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+
+#include "base/tiering.h"
+#include "linear/elimination_tree.h"
 
 namespace whittle {
 
@@ -57,49 +61,43 @@ std::vector<Panel> findPanels(const std::vector<Index>& parent, const std::vecto
   return panels;
 }
 
-/// The rows of every panel: its own columns, A's entries below them and what its children hand up.
-void fillRows(const UpperPattern& pattern, const std::vector<Panel>& panels, Supernodes& result) {
-  const Index n = pattern.size();
-  std::vector<Index> supernodeOf(n);
-  for (Index s = 0; s < result.count(); ++s) {
-    std::fill_n(supernodeOf.begin() + panels[s].start, panels[s].columns, s);
-  }
-  // A's lower pattern by column: the transpose of the upper one.
-  std::vector<Index> start(n + 1, 0), below(pattern.rows.size());
-  for (const Index row : pattern.rows) ++start[row + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Index> next(start.begin(), start.end() - 1);
-  for (Index column = 0; column < n; ++column) {
-    for (Index p = pattern.start[column]; p < pattern.start[column + 1]; ++p) below[next[pattern.rows[p]]++] = column;
-  }
-
-  std::vector<Index> mark(n, -1), firstChild(panels.size(), -1), sibling(panels.size(), -1);
-  for (Index s = 0; s < result.count(); ++s) {
-    const Index first = panels[s].start, end = first + panels[s].columns;
-    for (Index j = first; j < end; ++j) result.rows.push_back(j);
-    const auto add = [&](Index row) {
-      if (row < end || mark[row] == s) return;
-      mark[row] = s;
-      result.rows.push_back(row);
-    };
-    for (Index p = start[first]; p < start[end]; ++p) add(below[p]);
-    for (Index child = firstChild[s]; child >= 0; child = sibling[child]) {
-      for (std::size_t p = result.rowStart[child]; p < result.rowStart[child + 1]; ++p) add(result.rows[p]);
+/// Adds a row to the panels that it reaches: the supernodes of its entries in A and what lies above them in the tree, up to its own.
+/// @param mark the last row that reached each supernode
+/// @param next where the next row of each goes
+WHITTLE_OWN_FUNCTION void addRow(const Graph& graph, const EliminationTree& tree, Index row, const Index* supernodeOf, Index* mark,
+                                 std::size_t* next, Supernodes& result) {
+  const Index node = tree.order[row];
+  mark[supernodeOf[row]] = row;
+  for (Index p = graph.start[node]; p < graph.start[node + 1]; ++p) {
+    const Index column = tree.positionOf[graph.neighbours[p]];
+    if (column > row) continue;
+    for (Index s = supernodeOf[column]; mark[s] != row; s = result.parent[s]) {
+      mark[s] = row;
+      result.rows[next[s]++] = row;
     }
-    std::sort(result.rows.begin() + result.rowStart[s] + panels[s].columns, result.rows.end());
-    result.rowStart.push_back(result.rows.size());
-    if (result.height(s) == panels[s].columns) continue;
-    const Index parent = supernodeOf[result.rowsOf(s)[panels[s].columns]];
-    result.parent[s] = parent;
-    sibling[s] = firstChild[parent];
-    firstChild[parent] = s;
   }
 }
 
-std::vector<Index> positions(const std::vector<Index>& order) {
-  std::vector<Index> positionOf(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) positionOf[order[i]] = static_cast<Index>(i);
-  return positionOf;
+/// The rows of every panel, its own columns first. Rows come one after the other, so they are sorted.
+void fillRows(const Graph& graph, const EliminationTree& tree, const std::vector<Panel>& panels, Supernodes& result) {
+  const Index count = static_cast<Index>(panels.size());
+  std::vector<Index> supernodeOf(tree.size()), mark(count, -1);
+  result.columnStart.assign(1, 0);
+  result.rowStart.assign(1, 0);
+  for (Index s = 0; s < count; ++s) {
+    std::fill_n(supernodeOf.begin() + panels[s].start, panels[s].columns, s);
+    result.columnStart.push_back(result.columnStart[s] + panels[s].columns);
+    result.rowStart.push_back(result.rowStart[s] + panels[s].height);
+  }
+  std::vector<std::size_t> next(count);
+  result.rows.resize(result.rowStart[count]);
+  for (Index s = 0; s < count; ++s) {
+    next[s] = result.rowStart[s] + panels[s].columns;
+    std::iota(result.rows.begin() + result.rowStart[s], result.rows.begin() + next[s], panels[s].start);
+    const Index parent = tree.parent[result.columnStart[s + 1] - 1];
+    result.parent.push_back(parent < 0 ? -1 : supernodeOf[parent]);
+  }
+  for (Index row = 0; row < tree.size(); ++row) addRow(graph, tree, row, supernodeOf.data(), mark.data(), next.data(), result);
 }
 
 std::vector<Index> asNumbered(Index nodes) {
@@ -129,18 +127,11 @@ Supernodes expand(const Supernodes& ofNodes, Index blockSize) {
 
 Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering) {
   const Graph graph = graphOf(A, ordering.blockSize);
+  EliminationTree tree = eliminationTree(
+      graph, ordering.isOrdered ? asNumbered(graph.size()) : eliminationOrder(graph, ordering.coordinates, ordering.blockSize));
   Supernodes result;
-  result.newOf = positions(ordering.isOrdered ? postordered(graph, asNumbered(graph.size()))
-                                              : eliminationOrder(graph, ordering.coordinates, ordering.blockSize));
-  const UpperPattern pattern = upperPattern(graph, result.newOf);
-  const std::vector<Index> parent = eliminationTree(pattern);
-  const std::vector<Panel> panels = findPanels(parent, columnCounts(pattern, parent), ordering.blockSize);
-
-  for (const Panel& panel : panels) result.columnStart.push_back(panel.start);
-  result.columnStart.push_back(pattern.size());
-  result.parent.assign(panels.size(), -1);
-  result.rowStart.push_back(0);
-  fillRows(pattern, panels, result);
+  fillRows(graph, tree, findPanels(tree.parent, columnCounts(graph, tree), ordering.blockSize), result);
+  result.newOf = std::move(tree.positionOf);
   return ordering.blockSize == 1 ? result : expand(result, ordering.blockSize);
 }
 

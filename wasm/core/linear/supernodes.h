@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "linear/elimination_tree.h"
 #include "linear/ordering.h"
 
 namespace whittle {

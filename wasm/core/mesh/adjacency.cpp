@@ -1,9 +1,10 @@
 #include "mesh/adjacency.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
+
+#include "base/tiering.h"
 
 namespace whittle {
 
@@ -17,17 +18,54 @@ Index findRoot(std::vector<Index>& parent, Index v) {
   return v;
 }
 
+/// Joins the parts of two vertices under the smaller root.
+void join(std::vector<Index>& parent, Index v, Index w) {
+  const Index a = findRoot(parent, v), b = findRoot(parent, w);
+  parent[std::max(a, b)] = std::min(a, b);
+}
+
+/// Counts the edges from v to higher vertices.
+/// @param faceCounts of the edge to each vertex, all zero before and after
+WHITTLE_OWN_FUNCTION void countEdgesAt(Index v, const Triangles& triangles, const Fans& fans, Index* faceCounts, EdgeCounts& counts) {
+  const auto forEachOther = [&](auto&& visit) {
+    for (Index p = fans.start[v]; p < fans.start[v + 1]; ++p) {
+      const Index f = fans.corners[p] / 3;
+      for (const int k : kOtherCorners[fans.corners[p] % 3]) {
+        if (triangles(f, k) > v) visit(faceCounts[triangles(f, k)]);
+      }
+    }
+  };
+  forEachOther([](Index& faces) { ++faces; });
+  forEachOther([&](Index& faces) {
+    counts.boundary += faces == 1;
+    counts.nonManifold += faces > 2;
+    faces = 0;
+  });
+}
+
+/// Counts the duplicates among the faces whose lowest vertex is v.
+/// @param others scratch
+WHITTLE_OWN_FUNCTION Index countDuplicatesAt(Index v, const Triangles& triangles, const Fans& fans,
+                                             std::vector<std::pair<Index, Index>>& others) {
+  others.clear();
+  for (Index p = fans.start[v]; p < fans.start[v + 1]; ++p) {
+    const Index f = fans.corners[p] / 3;
+    const bool isAgain = p > fans.start[v] && fans.corners[p - 1] / 3 == f;  // a face that uses v twice
+    const int* const k = kOtherCorners[fans.corners[p] % 3];
+    const auto [low, high] = std::minmax(triangles(f, k[0]), triangles(f, k[1]));
+    if (low >= v && !isAgain) others.emplace_back(low, high);
+  }
+  std::sort(others.begin(), others.end());
+  return static_cast<Index>(others.end() - std::unique(others.begin(), others.end()));
+}
+
 }  // namespace
 
 Components connectedComponents(const Triangles& triangles, Index vertexCount) {
   std::vector<Index> parent(vertexCount);
   std::iota(parent.begin(), parent.end(), 0);
   for (Index f = 0; f < triangles.rows(); ++f) {
-    for (int k = 1; k < 3; ++k) {
-      const Index a = findRoot(parent, triangles(f, 0));
-      const Index b = findRoot(parent, triangles(f, k));
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    for (int k = 1; k < 3; ++k) join(parent, triangles(f, 0), triangles(f, k));
   }
 
   Components components;
@@ -39,35 +77,27 @@ Components connectedComponents(const Triangles& triangles, Index vertexCount) {
   return components;
 }
 
-EdgeCounts countEdges(const Triangles& triangles) {
-  std::vector<std::pair<Index, Index>> edges;
-  edges.reserve(3 * triangles.rows());
-  for (Index f = 0; f < triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const Index a = triangles(f, k);
-      const Index b = triangles(f, (k + 1) % 3);
-      if (a != b) edges.emplace_back(std::min(a, b), std::max(a, b));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
+Fans::Fans(const Triangles& triangles, Index vertexCount) : start(vertexCount + 1, 0), corners(triangles.size()) {
+  const Index* const vertices = triangles.data();
+  const Index count = static_cast<Index>(triangles.size());
+  for (Index i = 0; i < count; ++i) ++start[vertices[i] + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Index> next(start.begin(), start.end() - 1);
+  for (Index i = 0; i < count; ++i) corners[next[vertices[i]]++] = i;
+}
 
+EdgeCounts countEdges(const Triangles& triangles, const Fans& fans) {
   EdgeCounts counts;
-  for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
-    while (last < edges.size() && edges[last] == edges[first]) ++last;
-    counts.boundary += last - first == 1;
-    counts.nonManifold += last - first > 2;
-  }
+  std::vector<Index> faceCounts(fans.start.size(), 0);
+  for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v) countEdgesAt(v, triangles, fans, faceCounts.data(), counts);
   return counts;
 }
 
-Index countDuplicateFaces(const Triangles& triangles) {
-  std::vector<std::array<Index, 3>> faces(triangles.rows());
-  for (Index f = 0; f < triangles.rows(); ++f) {
-    faces[f] = {triangles(f, 0), triangles(f, 1), triangles(f, 2)};
-    std::sort(faces[f].begin(), faces[f].end());
-  }
-  std::sort(faces.begin(), faces.end());
-  return static_cast<Index>(faces.end() - std::unique(faces.begin(), faces.end()));
+Index countDuplicateFaces(const Triangles& triangles, const Fans& fans) {
+  Index count = 0;
+  std::vector<std::pair<Index, Index>> others;
+  for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v) count += countDuplicatesAt(v, triangles, fans, others);
+  return count;
 }
 
 }  // namespace whittle

@@ -15,6 +15,17 @@ struct Components {
 /// Parts by shared vertices (edges of faces connect, so a bow-tie vertex joins its two fans).
 Components connectedComponents(const Triangles& triangles, Index vertexCount);
 
+/// The face corners at each vertex: of v, corners[start[v]] … corners[start[v + 1] − 1], ascending. Corner k of face f is 3f + k.
+struct Fans {
+  std::vector<Index> start;    // #V + 1
+  std::vector<Index> corners;  // 3 #F
+
+  Fans(const Triangles& triangles, Index vertexCount);
+};
+
+/// The other two corners of a face. The edge to one of them is opposite to the other.
+inline constexpr int kOtherCorners[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+
 /// How many undirected edges have one face, and how many have three or more. Edges of zero length (a vertex used twice
 /// by a face) are left out.
 struct EdgeCounts {
@@ -22,9 +33,9 @@ struct EdgeCounts {
   Index nonManifold = 0;
 };
 
-EdgeCounts countEdges(const Triangles& triangles);
+EdgeCounts countEdges(const Triangles& triangles, const Fans& fans);
 
 /// Faces that have the same three vertices as an earlier one, in any order.
-Index countDuplicateFaces(const Triangles& triangles);
+Index countDuplicateFaces(const Triangles& triangles, const Fans& fans);
 
 }  // namespace whittle

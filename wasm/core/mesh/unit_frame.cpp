@@ -1,12 +1,15 @@
 #include "mesh/unit_frame.h"
 
+#include "mesh/bounding_box.h"
+
 namespace whittle {
 
 UnitFrame UnitFrame::of(const Points& positions) {
   UnitFrame frame;
   // The mean of differences from one corner of the box: no cancellation for a mesh far from the origin.
-  const Eigen::RowVector3d corner = positions.colwise().minCoeff();
-  frame.scale = (positions.colwise().maxCoeff() - corner).maxCoeff();
+  const Box box = boundingBox(positions);
+  const Eigen::RowVector3d corner = box.min().transpose();
+  frame.scale = box.sizes().maxCoeff();
   frame.center = (corner + (positions.rowwise() - corner).colwise().mean()).transpose();
   return frame;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/adjacency.h"
+#include "mesh/bounding_box.h"
 
 namespace whittle {
 
@@ -45,7 +46,7 @@ Status checkPositions(const TriangleMesh& mesh) {
     return Status::failure(Code::notFinite,
                            "vertex " + std::to_string(v) + " has a coordinate that is not a number; repair or remove it", v);
   }
-  const Vec3 extent = mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff();
+  const Vec3 extent = boundingBox(mesh.positions).sizes();
   if (!extent.allFinite() || extent.squaredNorm() > 1e300) {
     return Status::failure(Code::notFinite, "the coordinates are too large to compute with; scale the mesh down");
   }
@@ -90,12 +91,14 @@ MeshReport inspect(const TriangleMesh& mesh) {
   report.isolatedVertices = static_cast<Index>(std::count(used.begin(), used.end(), false));
   report.components = connectedComponents(mesh.triangles, mesh.vertexCount()).count - report.isolatedVertices;
 
-  const EdgeCounts edges = countEdges(mesh.triangles);
+  const Fans fans(mesh.triangles, mesh.vertexCount());
+  const EdgeCounts edges = countEdges(mesh.triangles, fans);
   report.boundaryEdges = edges.boundary;
   report.nonManifoldEdges = edges.nonManifold;
-  report.duplicateFaces = countDuplicateFaces(mesh.triangles);
-  report.min = mesh.positions.colwise().minCoeff().transpose();
-  report.max = mesh.positions.colwise().maxCoeff().transpose();
+  report.duplicateFaces = countDuplicateFaces(mesh.triangles, fans);
+  const Box box = boundingBox(mesh.positions);
+  report.min = box.min();
+  report.max = box.max();
   return report;
 }
 

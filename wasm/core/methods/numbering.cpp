@@ -1,10 +1,31 @@
 #include "methods/numbering.h"
 
+#include "linear/elimination_tree.h"
 #include "linear/ordering.h"
+#include "mesh/adjacency.h"
 
 namespace whittle {
 
 namespace {
+
+/// The vertices and edges of a mesh.
+Graph edgeGraph(const TriangleMesh& mesh) {
+  const Fans fans(mesh.triangles, mesh.vertexCount());
+  std::vector<Index> lastSeen(mesh.vertexCount(), -1);
+  std::vector<std::pair<Index, Index>> edges;
+  edges.reserve(mesh.triangles.size());
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    for (Index p = fans.start[v]; p < fans.start[v + 1]; ++p) {
+      for (const int other : kOtherCorners[fans.corners[p] % 3]) {
+        const Index w = mesh.triangles(fans.corners[p] / 3, other);
+        if (w <= v || lastSeen[w] == v) continue;
+        lastSeen[w] = v;
+        edges.emplace_back(v, w);
+      }
+    }
+  }
+  return graphOf(mesh.vertexCount(), edges);
+}
 
 /// @param moved where a vertex goes
 /// @param from where the vertex comes from that is to stand at a place
@@ -23,7 +44,8 @@ Numbering::Numbering(std::vector<Index> order) : vertexAt_(std::move(order)), pl
 }
 
 Numbering Numbering::of(const TriangleMesh& mesh) {
-  return Numbering(eliminationOrder(graphOf(mesh.triangles, mesh.vertexCount()), &mesh.positions));
+  const Graph graph = edgeGraph(mesh);
+  return Numbering(eliminationTree(graph, eliminationOrder(graph, &mesh.positions)).order);
 }
 
 TriangleMesh Numbering::ordered(const TriangleMesh& mesh) const {

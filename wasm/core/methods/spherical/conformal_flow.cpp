@@ -52,8 +52,7 @@ void ConformalFlow::prepareRestShape(const TriangleMesh& rest) {
   restArea_ = areas_.sum();
   restCentroid_ = areaCentroid(rest.positions, areas_);
   const CornerScalars cotangents = halfCotangents(rest.positions, rest.triangles);
-  laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount()).triangularView<Eigen::Lower>();
-  laplacian_.makeCompressed();
+  laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount());
   system_ = laplacian_;
   cholesky_.analyze(system_, {.isOrdered = true});
   for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest.vertexCount(), 3);
