@@ -15,6 +15,7 @@ typedef double Lanes __attribute__((vector_size(16)));
 
 constexpr Index kTile = kFrontPadding + 1;  // rows and columns of a register tile: 8 accumulators
 constexpr Index kBlock = 24;  // columns factored at a time, so that a block of the panel stays in the first cache
+constexpr Index kDepth = 96;  // columns that a deep product takes at a time
 
 Lanes load(const double* p) {
   Lanes v;
@@ -49,6 +50,31 @@ void subtractPart(double* C, Index ldC, const Tile& tile, Index rows, Index colu
   for (Index j = 0; j < columns; ++j, C += ldC) {
     const double column[] = {tile.low[j][0], tile.low[j][1], tile.high[j][0], tile.high[j][1]};
     for (Index i = 0; i < rows; ++i) C[i] -= column[i];
+  }
+}
+
+void subtract(double* C, Index ldC, const Tile& tile, Index rows, Index columns) {
+  if (rows == kTile && columns == kTile) {
+    subtractTile(C, ldC, tile);
+  } else {
+    subtractPart(C, ldC, tile, rows, columns);
+  }
+}
+
+/// C −= A Bᵀ for A with zeros above row `begin` + l of each column l, which are skipped. Made for deep products: columns of A lie far apart, so
+/// they come a few at a time, and rows of those meet all columns of C while they are in the first cache.
+void subtractDeepProduct(double* C, Index ldC, const double* A, Index ldA, Index begin, const double* B, Index ldB, Index rows,
+                         Index columns, Index depth) {
+  for (Index from = 0; from < depth; from += kDepth) {
+    const double *a = A + from * static_cast<std::ptrdiff_t>(ldA), *b = B + from * static_cast<std::ptrdiff_t>(ldB);
+    const Index first = begin + from, chunk = std::min(kDepth, depth - from);
+    for (Index i = first - first % kTile; i < rows; i += kTile) {
+      const Index height = std::min(kTile, rows - i), reach = std::min(chunk, i + kTile - first);
+      for (Index j = 0; j < columns; j += kTile) {
+        const Tile tile(a + i, ldA, b + j, ldB, reach);
+        subtract(C + i + static_cast<std::ptrdiff_t>(j) * ldC, ldC, tile, height, std::min(kTile, columns - j));
+      }
+    }
   }
 }
 
@@ -87,13 +113,7 @@ void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const dou
     const Index width = std::min(kTile, columns - j);
     for (Index i = lowerOnly ? j : 0; i < rows; i += kTile) {
       const Index height = std::min(kTile, rows - i);
-      double* place = C + i + static_cast<std::ptrdiff_t>(j) * ldC;
-      const Tile tile(A + i, ldA, B + j, ldB, depth);
-      if (width == kTile && height == kTile) {
-        subtractTile(place, ldC, tile);
-      } else {
-        subtractPart(place, ldC, tile, height, width);
-      }
+      subtract(C + i + static_cast<std::ptrdiff_t>(j) * ldC, ldC, Tile(A + i, ldA, B + j, ldB, depth), height, width);
     }
   }
 }
@@ -115,8 +135,8 @@ void invertPanel(const double* factor, double* inverse, double* scratch, Index r
       for (Index j = 0; j < width; ++j) scratch[j + l * width] = row[static_cast<std::ptrdiff_t>(j) * rows];
     }
     const double* solved = inverse + static_cast<std::ptrdiff_t>(end) * rows;
-    // Rows above the block's own are zero in every column that is solved already.
-    subtractProduct(block + first, rows, solved + first, rows, scratch, width, rows - first, width, later, false);
+    // A column that is solved already begins at its own row.
+    subtractDeepProduct(block + first, rows, solved + first, rows, width, scratch, width, rows - first, width, later);
     for (Index j = width - 1; j >= 0; --j) {
       double* column = block + static_cast<std::ptrdiff_t>(j) * rows;
       const double* L = factor + static_cast<std::ptrdiff_t>(first + j) * rows + first;

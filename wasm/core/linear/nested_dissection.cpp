@@ -13,9 +13,10 @@ namespace whittle {
 
 namespace {
 
-constexpr Index kLeaf = 120;    // parts up to this many nodes are not cut
+constexpr Index kLeaf = 500;    // parts up to this many nodes are not cut
 constexpr Index kHalo = 240;    // of the settled neighbours of a leaf, those that its order heeds
-constexpr Index kSample = 256;  // nodes of a part by which directions are compared and cuts are placed
+constexpr Index kSample = 256;  // nodes of a part by which directions are compared and cuts are placed, at most
+constexpr Index kStride = 8;    // of so many nodes at least, one
 constexpr int kExact = 3;       // directions whose separators are found
 constexpr std::array kShares = {0.4, 0.5, 0.6};  // of the nodes, below each of the cuts across a direction
 constexpr int kCuts = kShares.size();
@@ -105,7 +106,7 @@ Key Dissection::key(int direction, Index node) const {
 
 /// Cuts by the shares of a sample, which it leaves in `sample_`.
 Dissection::Cuts Dissection::placeCuts(int direction, Index first, Index last) {
-  const Index stride = std::max<Index>(1, (last - first) / kSample);
+  const Index stride = std::max(kStride, (last - first) / kSample);
   sample_.clear();
   for (Index i = first; i < last; i += stride) sample_.push_back(key(direction, nodes_[i]));
   Cuts cuts;
