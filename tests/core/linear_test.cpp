@@ -84,6 +84,7 @@ TEST_CASE("held rows stay and the rest minimises the quadratic") {
     Points X = start;
     for (int repetition = 0; repetition < 4; ++repetition) {  // each takes six digits off the error
       LaneRows moves = toRows(B - A * X);
+      moves.resize(ConstrainedQuadratic::paddedRows(n));
       const long before = testing::allocationCount();
       quadratic.correct(moves);
       CHECK(testing::allocationCount() == before);
@@ -104,6 +105,7 @@ TEST_CASE("everything held leaves nothing to solve") {
   ConstrainedQuadratic quadratic;
   REQUIRE(quadratic.prepare(A, {0, 1, 2}).ok());
   LaneRows moves = toRows(Points::Ones(3, 3));
+  moves.resize(ConstrainedQuadratic::paddedRows(3));
   quadratic.correct(moves);
   CHECK(toPoints(moves, 3).isZero(0));
 }

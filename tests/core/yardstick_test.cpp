@@ -252,6 +252,7 @@ TEST_CASE("yardstick: linear solves agree with Eigen's in double precision") {
     ConstrainedQuadratic system;
     REQUIRE(system.prepare(L, held).ok());
     LaneRows moves = toRows(residual);
+    moves.resize(ConstrainedQuadratic::paddedRows(mesh.vertexCount()));
     system.correct(moves);
     const Points ours = toPoints(moves, mesh.vertexCount());
 

@@ -57,11 +57,14 @@ void Gauge::restoreCentroids(Points& positions) {
 void Gauge::balance(const LaneRows& displacements, const LaneRows& moves) {
   if (pins_.empty()) return;
   shifts_.setZero();
-  for (Index v = 0; v < weights_.size(); ++v) {
+  for (Index v = 0; v < weights_.size();) {
+    // Vertices of one part mostly follow each other: their sum stays at hand.
     const Index part = floatingPart_[v];
-    if (part < 0) continue;
-    const Lanes there = load(&displacements[v]) + load(&moves[v]);
-    shifts_.row(part) -= weights_[v] * Eigen::RowVector3d(there[0], there[1], there[2]);
+    DoubleLanes sum{};
+    for (; v < weights_.size() && floatingPart_[v] == part; ++v) {
+      sum += weights_[v] * toDouble(load(&displacements[v]) + load(&moves[v]));
+    }
+    if (part >= 0) shifts_.row(part) -= Eigen::RowVector3d(sum[0], sum[1], sum[2]);
   }
   for (Index part = 0; part < shifts_.rows(); ++part) {
     const auto shift = shifts_.row(part).cast<float>();

@@ -11,21 +11,23 @@ constexpr Index kHeld = -1;
 Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering) {
   std::vector<Index> freeIndex(A.rows(), 0);
   for (const Index row : held) freeIndex[row] = kHeld;
-  free_.clear();
+  std::vector<Index> freeRows;
   held_ = held;
   for (Index row = 0; row < A.rows(); ++row) {
     if (freeIndex[row] == kHeld) continue;
-    freeIndex[row] = static_cast<Index>(free_.size());
-    free_.push_back(row);
+    freeIndex[row] = static_cast<Index>(freeRows.size());
+    freeRows.push_back(row);
   }
-  const Index freeCount = static_cast<Index>(free_.size());
-  if (freeCount == 0) return {};
+  const Index freeCount = static_cast<Index>(freeRows.size());
+  allHeld_ = freeCount == 0;
+  if (allHeld_) return {};
+  const Index spare = static_cast<Index>(paddedRows(static_cast<Index>(A.rows()))) - 1;
 
   SparseMatrix freeBlock(freeCount, freeCount);  // its lower half
   freeBlock.reserve(A.nonZeros());
   for (Index column = 0; column < freeCount; ++column) {
     freeBlock.startVec(column);
-    for (SparseMatrix::InnerIterator entry(A, free_[column]); entry; ++entry) {
+    for (SparseMatrix::InnerIterator entry(A, freeRows[column]); entry; ++entry) {
       // Free rows keep their order, so the block is filled front to back.
       const Index row = freeIndex[entry.row()];
       if (row >= column) freeBlock.insertBack(row, column) = entry.value();
@@ -38,21 +40,17 @@ Status ConstrainedQuadratic::prepare(SparseMatrix A, const std::vector<Index>& h
   Points coordinates;
   if (ordering.coordinates) {
     coordinates.resize(freeCount, 3);
-    for (Index i = 0; i < freeCount; ++i) coordinates.row(i) = ordering.coordinates->row(free_[i]);
+    for (Index i = 0; i < freeCount; ++i) coordinates.row(i) = ordering.coordinates->row(freeRows[i]);
     ofFree.coordinates = &coordinates;
   }
-  cholesky_.analyze(freeBlock, ofFree);
+  cholesky_.analyze(freeBlock, ofFree, freeRows, spare);
   coordinates.resize(0, 3);
   return cholesky_.factorize(freeBlock);
 }
 
-void ConstrainedQuadratic::correct(std::vector<LaneRow>& residual) {
+void ConstrainedQuadratic::correct(LaneRows& residual) {
   for (const Index row : held_) residual[row] = {};
-  if (free_.empty()) return;
-  const Index freeCount = static_cast<Index>(free_.size());
-  for (Index i = 0; i < freeCount; ++i) cholesky_.row(i) = residual[free_[i]];
-  cholesky_.solve();
-  for (Index i = 0; i < freeCount; ++i) residual[free_[i]] = cholesky_.row(i);
+  if (!allHeld_) cholesky_.solve(residual.data());
 }
 
 }  // namespace whittle

@@ -19,11 +19,13 @@ class ConstrainedQuadratic {
   Status prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering = {});
 
   /// Makes of residuals B − A X at some X the corrections ΔX that lead from there to the minimum, of held rows zero. Allocates nothing.
-  void correct(std::vector<LaneRow>& residual);
+  /// @param residual rows of X filled up to whole batches, and one more that nobody reads (`paddedRows`)
+  void correct(LaneRows& residual);
+  static std::size_t paddedRows(Index n) { return 4 * batchCount(n) + 1; }
 
  private:
-  std::vector<Index> free_;  // rows of X that are solved for
   std::vector<Index> held_;
+  bool allHeld_ = false;
   SparseCholesky cholesky_;
 };
 

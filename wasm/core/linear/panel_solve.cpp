@@ -51,7 +51,7 @@ void gatherTiles(const SolvePanel& panel, const LaneRow* rhs, LaneRow* lanes) {
 
 /// Backward products of some columns, which share each gathered row.
 template <int kColumns>
-void backwardColumns(const SolvePanel& panel, Index first, const LaneRow* lanes, LaneRow* own) {
+void backwardColumns(const SolvePanel& panel, Index first, const LaneRow* lanes, LaneRow* rhs) {
   const Index top = first / 4;  // L11⁻¹ is lower triangular
   const TileColumn* tiles = panel.tile(top) + first;
   lanes += 3 * top;
@@ -66,7 +66,7 @@ void backwardColumns(const SolvePanel& panel, Index first, const LaneRow* lanes,
   Lanes sums[] = {horizontalSums(x[0], x[1], x[2], x[3]), horizontalSums(y[0], y[1], y[2], y[3]),
                   horizontalSums(z[0], z[1], z[2], z[3]), splat(0)};
   transpose(sums[0], sums[1], sums[2], sums[3]);
-  for (int j = 0; j < kColumns; ++j) store(own + first + j, sums[j]);
+  for (int j = 0; j < kColumns; ++j) store(rhs + panel.rows[first + j], sums[j]);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ void packTiles(const double* panel, Index height, Index columns, TileColumn* til
 }
 
 void panelForward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
-  std::copy_n(rhs + panel.rows[0], panel.columns, scratch);
+  for (Index j = 0; j < panel.columns; ++j) scratch[j] = rhs[panel.rows[j]];
   const Index tileCount = panel.tileCount();
   // Two at a time: of a third the sums no longer fit into the registers that a browser has.
   Index tile = 0;
@@ -99,10 +99,9 @@ void panelForward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
 
 void panelBackward(const SolvePanel& panel, LaneRow* rhs, LaneRow* scratch) {
   gatherTiles(panel, rhs, scratch);
-  LaneRow* own = rhs + panel.rows[0];
   Index j = 0;
-  for (; j + 1 < panel.columns; j += 2) backwardColumns<2>(panel, j, scratch, own);
-  if (j < panel.columns) backwardColumns<1>(panel, j, scratch, own);
+  for (; j + 1 < panel.columns; j += 2) backwardColumns<2>(panel, j, scratch, rhs);
+  if (j < panel.columns) backwardColumns<1>(panel, j, scratch, rhs);
 }
 
 }  // namespace whittle

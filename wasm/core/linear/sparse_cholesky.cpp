@@ -32,14 +32,23 @@ WHITTLE_OWN_FUNCTION void countEntries(const SparseMatrix& A, Index column, cons
 }  // namespace
 
 void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering) {
+  const Index unknowns = static_cast<Index>(A.cols());
+  std::vector<Index> rowOf(unknowns);
+  std::iota(rowOf.begin(), rowOf.end(), 0);
+  analyze(A, ordering, rowOf, unknowns);
+  rhs_.assign(unknowns + 1, {});
+}
+
+void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering, const std::vector<Index>& rowOf, Index spare) {
   supernodes_ = analyzeSupernodes(A, ordering);
-  placeRows();
+  placeRows(rowOf, spare);
   placeEntries(A);
   measureStack();
 }
 
-void SparseCholesky::placeRows() {
-  const Index unknowns = static_cast<Index>(supernodes_.newOf.size());
+void SparseCholesky::placeRows(const std::vector<Index>& rowOf, Index spare) {
+  std::vector<Index> rowAt(rowOf.size());
+  for (std::size_t unknown = 0; unknown < rowOf.size(); ++unknown) rowAt[supernodes_.newOf[unknown]] = rowOf[unknown];
   Index mostTiles = 0, mostColumns = 0;
   paddedRows_.clear();
   paddedStart_.assign(1, 0);
@@ -47,16 +56,15 @@ void SparseCholesky::placeRows() {
   for (Index s = 0; s < supernodes_.count(); ++s) {
     const Index* rows = supernodes_.rowsOf(s);
     const Index tiles = (supernodes_.height(s) + 3) / 4;
-    paddedRows_.insert(paddedRows_.end(), rows, rows + supernodes_.height(s));
+    for (Index i = 0; i < supernodes_.height(s); ++i) paddedRows_.push_back(rowAt[rows[i]]);
     paddedStart_.push_back(paddedStart_.back() + 4 * tiles);
-    paddedRows_.resize(paddedStart_.back(), unknowns);
+    paddedRows_.resize(paddedStart_.back(), spare);
     tileStart_.push_back(tileStart_.back() + static_cast<std::size_t>(tiles) * supernodes_.columns(s));
     mostTiles = std::max(mostTiles, tiles);
     mostColumns = std::max(mostColumns, supernodes_.columns(s));
   }
   tiles_.resize(tileStart_.back());
   diagonal_.resize(mostColumns);
-  rhs_.assign(unknowns + 1, {});
   scratch_.assign(std::max(3 * mostTiles, mostColumns), {});
 }
 
@@ -137,15 +145,15 @@ SolvePanel SparseCholesky::solvePanel(Index s) const {
 
 void SparseCholesky::solve(Points& rhs) {
   for (Index i = 0; i < rhs.rows(); ++i) {
-    row(i) = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
+    rhs_[i] = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
   }
-  solve();
-  for (Index i = 0; i < rhs.rows(); ++i) rhs.row(i) << row(i).x, row(i).y, row(i).z;
+  solve(rhs_.data());
+  for (Index i = 0; i < rhs.rows(); ++i) rhs.row(i) << rhs_[i].x, rhs_[i].y, rhs_[i].z;
 }
 
-void SparseCholesky::solve() {
-  for (Index s = 0; s < supernodes_.count(); ++s) panelForward(solvePanel(s), rhs_.data(), scratch_.data());
-  for (Index s = supernodes_.count() - 1; s >= 0; --s) panelBackward(solvePanel(s), rhs_.data(), scratch_.data());
+void SparseCholesky::solve(LaneRow* rows) {
+  for (Index s = 0; s < supernodes_.count(); ++s) panelForward(solvePanel(s), rows, scratch_.data());
+  for (Index s = supernodes_.count() - 1; s >= 0; --s) panelBackward(solvePanel(s), rows, scratch_.data());
 }
 
 }  // namespace whittle

@@ -22,6 +22,10 @@ class SparseCholesky {
   /// Orders the unknowns and finds the pattern of L. Reads only the pattern of A, and coordinates if they are given.
   /// Where unknowns come in blocks, their number must be a multiple of the block size; entries may be missing inside blocks.
   void analyze(const SparseMatrix& A, const Ordering& ordering = {});
+  /// The same for callers whose right-hand sides stand in rows of their own, which `solve(LaneRow*)` then solves where they are.
+  /// @param rowOf the row of each unknown
+  /// @param spare a row that nobody reads
+  void analyze(const SparseMatrix& A, const Ordering& ordering, const std::vector<Index>& rowOf, Index spare);
 
   /// Computes L for a matrix of the analyzed pattern. Fails with `numericalFailure` if A is not positive definite
   /// or singular to working precision.
@@ -32,10 +36,8 @@ class SparseCholesky {
   /// Overwrites three right-hand sides (#unknowns×3) with the solutions, in one pass over L. Allocates nothing.
   void solve(Points& rhs);
 
-  /// The same in place, for callers that keep single precision: the row of an unknown takes a right-hand side and, after `solve()`,
-  /// holds the solution.
-  LaneRow& row(Index unknown) { return rhs_[supernodes_.newOf[unknown]]; }
-  void solve();
+  /// The same in place, for callers that keep single precision.
+  void solve(LaneRow* rows);
 
  private:
   /// Where an entry of A's value array goes: its place in the column-major panel of its supernode.
@@ -44,7 +46,7 @@ class SparseCholesky {
     Index place;
   };
 
-  void placeRows();
+  void placeRows(const std::vector<Index>& rowOf, Index spare);
   void placeEntries(const SparseMatrix& A);
   void sortEntries(const SparseMatrix& A, Index column, Index* ends);
   void placeInPanel(Index s, const Index* start, Index* placeOf);
@@ -57,13 +59,13 @@ class SparseCholesky {
   std::vector<Entry> entries_;            // of A's lower triangle, by supernode
   std::vector<Index> entryStart_;         // #supernodes + 1
   std::size_t peakUpdates_ = 0;           // largest stack of update matrices, in numbers
-  std::vector<Index> paddedRows_;         // rows of each supernode, padded to whole tiles
+  std::vector<Index> paddedRows_;         // where the right-hand sides of each supernode stand, padded to whole tiles
   std::vector<std::size_t> paddedStart_;  // #supernodes + 1: into `paddedRows_`
   std::vector<std::size_t> tileStart_;    // #supernodes + 1: into `tiles_`
   std::vector<TileColumn> tiles_;
   std::vector<double> diagonal_;          // of A, for the supernode that is being factored
   Multifrontal work_;
-  std::vector<LaneRow> rhs_;               // #unknowns + 1 in the factor's order; the last takes what padding writes
+  LaneRows rhs_;                           // #unknowns + 1, where callers have no rows of their own; the last takes what padding writes
   std::vector<LaneRow> scratch_;
 };
 

@@ -83,7 +83,7 @@ void LocalGlobal::claimRunningState() {
   for (auto* rotations : {&guess_, &rotations_}) rotations->assign(batchCount(edges_->elementCount()), identityRotations());
   covariances_.resize(batchCount(kBlock));
   turns_.resize(batchCount(kBlock));
-  residual_.assign(4 * batchCount(vertexCount), {});
+  residual_.assign(ConstrainedQuadratic::paddedRows(vertexCount), {});
   for (auto* displacements : {&displacements_, &previous_}) displacements->resize(vertexCount, edges_->stiffEdges());
   acceleration_.resize(vertexCount, edges_->stiffEdges());
 }
