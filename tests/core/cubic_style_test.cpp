@@ -176,7 +176,7 @@ TEST_CASE("weights of 1, no turn and B = I are the default, to the bit") {
   CHECK(largestMove(run(mesh, style).positions, plain.positions) < kSingle);
 }
 
-/// What single precision leaves of energies where the dual has a gap: rotations are not stationary at a kink.
+/// What single precision leaves of energies.
 constexpr double kEnergyRounding = 1e-7;
 
 TEST_CASE("energy never rises, the same bits twice, nothing claimed on the way, whatever the style") {

@@ -186,6 +186,31 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
   }
 }
 
+TEST_CASE("what thin faces say is not lost on the others") {
+  TriangleMesh rest = bent(grid(4));
+  // A vertex next to the edge across from it: caps whose weights are some hundreds and cancel.
+  const Vec3 a = rest.positions.row(6).transpose(), b = rest.positions.row(7).transpose();
+  rest.positions.row(12) = (0.4995 * (a + b)).transpose() + Eigen::RowVector3d(0, 1e-3, 0);
+  const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
+  for (const EdgeSetKind kind : {EdgeSetKind::spokesAndRims, EdgeSetKind::faces}) {
+    const auto edges = makeEdgeSet(kind, rest, c);
+    const Index n = rest.vertexCount();
+    REQUIRE(!edges->stiffEdges().vertices().empty());
+    CHECK(static_cast<Index>(edges->stiffEdges().vertices().size()) < n);
+    const std::vector<QuaternionLanes> rotations = noisyRotations(edges->elementCount());
+    const std::vector<Mat3> R = matricesOf(rotations, edges->elementCount());
+    const LaneRows displacements = toRows(bent(rest).positions - rest.positions);
+    const Points output = rest.positions + toPoints(displacements, n);
+    const Looked here = look(*edges, displacements, rotations, edges->elementCount());
+    CHECK(here.energy == doctest::Approx(energyByDefinition(kind, rest, output, R)).epsilon(1e-6));
+    // −L δ as it is in double precision; what the turns add is the same at rest.
+    const Looked atRest = look(*edges, LaneRows(displacements.size()), rotations, edges->elementCount());
+    const Points forces = -denseLaplacian(rest) * (output - rest.positions);
+    const Points found = toPoints(here.residual, n) - toPoints(atRest.residual, n);
+    for (Index v = 0; v < n; ++v) CHECK((found.row(v) - forces.row(v)).norm() < 1e-5 * (1 + forces.row(v).norm()));
+  }
+}
+
 TEST_CASE("ranges of elements add up to all of them") {
   for (const EdgeSetKind kind : {EdgeSetKind::spokesAndRims, EdgeSetKind::faces}) {
     const TriangleMesh rest = bent(grid(4));

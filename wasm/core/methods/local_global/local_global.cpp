@@ -72,7 +72,7 @@ void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) 
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
   edges_ = makeEdgeSet(edgeSetOf(rigidity), rest, halfCotangents_);
   sizeOfTerms_ = 0;
-  for (const SymmetricLanes& rest : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(rest.xx + rest.yy + rest.zz));
+  for (const SymmetricLanes& M : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(M.xx + M.yy + M.zz));
   scales_.reset();
   if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
@@ -127,8 +127,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_)) report.energy = localStep(displacements_, Guess::bound);
   energy_ = report.energy;
   std::swap(previous_, displacements_);
-  report.change = globalStep(positions);
-  if (!std::isfinite(report.energy) || !std::isfinite(report.change)) {
+  report.change = std::isfinite(report.energy) ? globalStep(positions) : std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(report.change)) {
     displacements_ = previous_;  // the positions are still those
     return Status::failure(Code::numericalFailure,
                            "the iteration lost its numbers; the mesh may hold faces too thin to compute with");
