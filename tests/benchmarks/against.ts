@@ -6,7 +6,7 @@ import { findPrimitive } from '../../src/styles/primitives.ts';
 import { testCore } from '../fixtures/core.ts';
 import type { TestMesh } from '../fixtures/meshes.ts';
 import { markdownTable, percent, withSpread } from './numbers.ts';
-import type { MethodId, Options, Size } from './options.ts';
+import { type ComparedMethod, isCompared, type Options, type Size } from './options.ts';
 import { meshOf } from './program.ts';
 import { withBuiltReference } from './reference.ts';
 
@@ -27,7 +27,7 @@ export async function benchmarkAgainst(reference: string, options: Options): Pro
     const base = await loadBase(folder, reference);
     const head = await testCore();
     const rows: string[][] = [];
-    for (const method of options.methods) {
+    for (const method of options.methods.filter(isCompared)) {
       for (const size of options.sizes) {
         console.error(`${method}, ${size} vertices …`);
         rows.push([method, String(size), ...compare(base, head, method, size, reference)]);
@@ -72,7 +72,7 @@ async function loadBase(folder: string, reference: string): Promise<Core> {
 const differs = (reference: string, cause: unknown): Error =>
   new Error(`The core of ${reference} cannot be driven as today’s is: ${(cause as Error).message}`);
 
-function compare(base: Core, head: Core, method: MethodId, size: Size, reference: string): string[] {
+function compare(base: Core, head: Core, method: ComparedMethod, size: Size, reference: string): string[] {
   const mesh = meshOf(size);
   const parameters = problemOf(method, mesh);
   const knows = (core: Core): boolean => core.methods().some(({ id }) => id === method);
@@ -99,7 +99,7 @@ function compare(base: Core, head: Core, method: MethodId, size: Size, reference
   }
 }
 
-function problemOf(method: MethodId, mesh: TestMesh): ParameterValues {
+function problemOf(method: ComparedMethod, mesh: TestMesh): ParameterValues {
   if (method === 'cubic') return { lambda: 0.4 };
   if (method === 'arap') return { handles: turnedEnd(mesh) };
   return { lambda: 1, style: { kind: 'closest', normals: findPrimitive('cube')!.normals } };
@@ -119,7 +119,7 @@ function turnedEnd({ positions }: TestMesh): { vertices: number[]; targets: [num
   return { vertices, targets };
 }
 
-function open(core: Core, mesh: TestMesh, method: MethodId, parameters: ParameterValues): CoreSession {
+function open(core: Core, mesh: TestMesh, method: ComparedMethod, parameters: ParameterValues): CoreSession {
   const session = core.open();
   session.load(mesh.positions, mesh.triangles);
   session.configure(method, parameters);
@@ -162,7 +162,12 @@ class LoopedRun {
 }
 
 /** Rounds of both sides; who goes first changes, so that neither always finds the other's caches. */
-function timeByTurns(sides: Side[], mesh: TestMesh, method: MethodId, parameters: ParameterValues): void {
+function timeByTurns(
+  sides: Side[],
+  mesh: TestMesh,
+  method: ComparedMethod,
+  parameters: ParameterValues,
+): void {
   const sessions = sides.map(({ core }) => open(core, mesh, method, parameters));
   const runs = sides.map((side, s) => ({ side, run: new LoopedRun(sessions[s]!) }));
   for (let round = 0; round < rounds; round++) {
@@ -176,7 +181,7 @@ function timeByTurns(sides: Side[], mesh: TestMesh, method: MethodId, parameters
   for (const session of sessions) session.free();
 }
 
-function runToStop(core: Core, mesh: TestMesh, method: MethodId, parameters: ParameterValues) {
+function runToStop(core: Core, mesh: TestMesh, method: ComparedMethod, parameters: ParameterValues) {
   const start = performance.now();
   const session = open(core, mesh, method, parameters);
   session.prepare();

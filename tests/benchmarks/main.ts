@@ -1,9 +1,10 @@
 import { writeFileSync } from 'node:fs';
 import { benchmarkAgainst } from './against.ts';
 import { tabulateAngles } from './angle-table.ts';
-import { type MethodId, parseOptions } from './options.ts';
-import { type Build, type Measurement, measure } from './program.ts';
+import { isCompared, parseOptions } from './options.ts';
+import { measure } from './program.ts';
 import { describeMachine, report } from './report.ts';
+import { reportAlone } from './report-alone.ts';
 
 const resultsFile = 'wasm/bench/RESULTS.md';
 
@@ -20,16 +21,21 @@ export async function benchmark(args: readonly string[]): Promise<void> {
   }
   const sections: string[] = [];
   for (const method of options.methods) {
-    const measurements = options.sizes.map((size) => announced(method, size));
-    if (sections.length === 0) sections.push(describeMachine(measurements[0]!));
-    sections.push(report(method, measurements));
+    const announce = <T>(size: T): T => {
+      console.error(`${method}, ${size} vertices …`);
+      return size;
+    };
+    if (isCompared(method)) {
+      const measurements = options.sizes.map((size) => measure(method, announce(size)));
+      if (sections.length === 0) sections.push(describeMachine(measurements[0]!));
+      sections.push(report(method, measurements));
+    } else {
+      const timings = options.sizes.map((size) => measure(method, announce(size)));
+      if (sections.length === 0) sections.push(describeMachine(timings[0]!));
+      sections.push(reportAlone(method, timings));
+    }
   }
   const text = `${sections.join('\n\n')}\n`;
   console.log(text);
   if (options.write) writeFileSync(resultsFile, `# Results of \`npm run bench\`\n\n${text}`);
-}
-
-function announced(method: MethodId, size: Parameters<typeof measure>[1]): Record<Build, Measurement> {
-  console.error(`${method}, ${size} vertices …`);
-  return measure(method, size);
 }

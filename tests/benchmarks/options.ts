@@ -1,6 +1,17 @@
+/** Methods that have a plain path to stand beside. */
+export const comparedMethods = ['cubic', 'analogy', 'arap'] as const;
+export type ComparedMethod = (typeof comparedMethods)[number];
+
+/** Methods that go through the same loop or solver with other targets, timed alone. */
+export const timedMethods = ['normalmap', 'developable', 'polycube'] as const;
+export type TimedMethod = (typeof timedMethods)[number];
+
 /** Methods that the benchmark knows a problem for. */
-export const methods = ['cubic', 'analogy', 'arap'] as const;
+export const methods = [...comparedMethods, ...timedMethods] as const;
 export type MethodId = (typeof methods)[number];
+
+export const isCompared = (method: MethodId): method is ComparedMethod =>
+  comparedMethods.some((name) => name === method);
 
 /** Vertices of its meshes: the bunny has 22046, the others are icospheres. */
 export const sizes = [2562, 10242, 22046, 40962, 163842] as const;
@@ -45,8 +56,11 @@ export function parseOptions(args: readonly string[]): Options {
   }
   if (write && against) throw new Error(`--write keeps tables of the yardstick, not of --against.\n${usage}`);
   const fallback = quick || against ? quickSizes : sizes;
+  const all = against ? comparedMethods : methods;
+  if (against && !chosenMethods.every(isCompared))
+    throw new Error(`--against knows ${comparedMethods.join(', ')} only.\n${usage}`);
   return {
-    methods: chosenMethods.length > 0 ? chosenMethods : methods,
+    methods: chosenMethods.length > 0 ? chosenMethods : all,
     sizes: chosenSizes.length > 0 ? chosenSizes : fallback,
     write,
     ...(against ? { against } : {}),

@@ -3,7 +3,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { bunnyLevel, icosphere, type TestMesh } from '../fixtures/meshes.ts';
-import type { MethodId, Size } from './options.ts';
+import type { ComparedMethod, MethodId, Size, TimedMethod } from './options.ts';
 
 export const builds = ['native', 'wasm'] as const;
 export type Build = (typeof builds)[number];
@@ -28,6 +28,26 @@ export interface Comparison {
   readonly ours: number;
   readonly plain: number;
   readonly ratio: number;
+}
+
+/** What `whittle-bench` prints of a method without a plain path; times in ms, memory in bytes. */
+export interface Timing {
+  readonly vertices: number;
+  readonly compiler: string;
+  readonly memory: number;
+  readonly alone: {
+    /** From the loaded mesh to ready, in a fresh process and later. */
+    readonly fresh: number;
+    readonly warm: number;
+    readonly iteration: number;
+    /** Of the run, to its end if `finished` (1). */
+    readonly iterations: number;
+    readonly finished: number;
+    readonly time: number;
+    readonly firstEnergy: number;
+    readonly lastEnergy: number;
+    readonly energyAtFixedCount: number;
+  };
 }
 
 /** What `whittle-bench` prints; times in ms, memory in bytes. */
@@ -56,7 +76,9 @@ export function meshOf(size: Size): TestMesh {
 }
 
 /** Runs the benchmark program on one mesh, each build in a process of its own. */
-export function measure(method: MethodId, size: Size): Record<Build, Measurement> {
+export function measure(method: ComparedMethod, size: Size): Record<Build, Measurement>;
+export function measure(method: TimedMethod, size: Size): Record<Build, Timing>;
+export function measure(method: MethodId, size: Size): Record<Build, Measurement | Timing> {
   const folder = mkdtempSync(join(tmpdir(), 'whittle-bench-'));
   try {
     const file = join(folder, 'mesh');
@@ -74,9 +96,9 @@ export function measure(method: MethodId, size: Size): Record<Build, Measurement
   }
 }
 
-function run(program: string, args: readonly string[]): Measurement {
+function run(program: string, args: readonly string[]): Measurement | Timing {
   const { status, stdout, stderr, error } = spawnSync(program, args, { encoding: 'utf8' });
-  if (status === 0) return JSON.parse(stdout) as Measurement;
+  if (status === 0) return JSON.parse(stdout) as Measurement | Timing;
   // Uncaught, Emscripten's loader prints all of itself first.
   const reason = error?.message ?? stderr.trim().slice(-600);
   throw new Error(`${program} ${args.join(' ')} failed: ${reason}`);

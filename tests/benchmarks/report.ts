@@ -1,6 +1,6 @@
 import { cpus, totalmem } from 'node:os';
 import { duration, markdownTable, percent, times } from './numbers.ts';
-import type { MethodId } from './options.ts';
+import type { ComparedMethod } from './options.ts';
 import { type Build, builds, type Descent, type Measurement } from './program.ts';
 
 /** Iterations per second that the authors of Cubic Stylization report at about 20k vertices. */
@@ -8,19 +8,19 @@ const paperRate = 24;
 
 export type Measurements = readonly Record<Build, Measurement>[];
 
-export function describeMachine({ native, wasm }: Record<Build, Measurement>): string {
+export function describeMachine({ native, wasm }: Record<Build, { readonly compiler: string }>): string {
   const memory = Math.round(totalmem() / 2 ** 30);
   return `${cpus()[0]?.model.trim()}, ${memory} GB, one thread; Node ${process.version}, native by ${native.compiler}, wasm by ${wasm.compiler}.`;
 }
 
-const problems: Readonly<Record<MethodId, string>> = {
+const problems: Readonly<Record<ComparedMethod, string>> = {
   cubic: 'cubic, λ 0.4',
   analogy: 'analogy, the style of a cube, constant targets, λ 1',
   arap: 'arap, both ends held, one of them turned by 60°',
 };
 
 /** The tables of one method. */
-export function report(method: MethodId, measurements: Measurements): string {
+export function report(method: ComparedMethod, measurements: Measurements): string {
   const sections = [
     `## ${problems[method]}`,
     phases(measurements),

@@ -8,9 +8,10 @@ import {
   times,
   withSpread,
 } from '../benchmarks/numbers.ts';
-import { methods, parseOptions, sizes } from '../benchmarks/options.ts';
-import { type Descent, type Measurement, meshOf } from '../benchmarks/program.ts';
+import { comparedMethods, methods, parseOptions, sizes } from '../benchmarks/options.ts';
+import { type Descent, type Measurement, meshOf, type Timing } from '../benchmarks/program.ts';
 import { report } from '../benchmarks/report.ts';
+import { reportAlone } from '../benchmarks/report-alone.ts';
 
 describe('numbers of the benchmark', () => {
   test('quantiles lie between the values', () => {
@@ -51,7 +52,12 @@ describe('arguments of the benchmark', () => {
   });
 
   test('a reference is timed on few sizes unless some are named', () => {
-    expect(parseOptions(['--against', 'main'])).toMatchObject({ against: 'main', sizes: [2562, 22046] });
+    expect(parseOptions(['--against', 'main'])).toMatchObject({
+      against: 'main',
+      methods: comparedMethods,
+      sizes: [2562, 22046],
+    });
+    expect(() => parseOptions(['polycube', '--against', 'main'])).toThrowError(/cubic, analogy, arap only/);
     expect(parseOptions(['10242', '--against', 'HEAD~1']).sizes).toEqual([10242]);
   });
 
@@ -128,4 +134,27 @@ describe('report of the benchmark', () => {
     expect(text).toContain('208 (time was up)');
     expect(text).not.toContain('Bars');
   });
+});
+
+test('of a method without a plain path the report has its own times, and how far the builds are apart', () => {
+  const alone = {
+    fresh: 120,
+    warm: 60,
+    iteration: 5,
+    iterations: 40,
+    finished: 1,
+    time: 200,
+    firstEnergy: 0.5,
+    lastEnergy: 0.25,
+    energyAtFixedCount: 0.3,
+  };
+  const native: Timing = { vertices: 2562, compiler: 'a compiler', memory: 2562 * 2048, alone };
+  const wasm: Timing = {
+    ...native,
+    alone: { ...alone, iteration: 6, finished: 0, energyAtFixedCount: 0.3003 },
+  };
+  const lines = reportAlone('polycube', [{ native, wasm }]).split('\n');
+  const rowOf = (build: string) => lines.find((line) => line.split('|')[2]?.trim() === build)!;
+  expect(rowOf('native')).toMatch(/200 +\| 40 in 200 ms +\| 0.5000 → 0.2500 +\| 5 MB, 2.00 KB/);
+  expect(rowOf('wasm')).toMatch(/40 in 200 ms \(time was up\).*\| 1.20 +\| 1.0e-3/);
 });

@@ -1,14 +1,16 @@
 // Times the core against the yardstick on one mesh, in one process, and prints the numbers as JSON (times in ms, memory in
 // bytes).
 //
-// usage: whittle-bench cubic|analogy|arap MESH SECONDS
+// usage: whittle-bench METHOD MESH SECONDS
 //
-// MESH is a file as `readProblem` wants it. SECONDS bounds the long run of the core; that of the yardstick gets twice as many.
+// METHOD is one that `readProblem` has a problem for. MESH is a file as it wants it. SECONDS bounds the long run of the core; that of the
+// yardstick, where there is one, gets twice as many.
 
 #ifndef __EMSCRIPTEN__
 #include <sys/resource.h>
 #endif
 
+#include "bench/alone.h"
 #include "bench/descent.h"
 #include "bench/phases.h"
 
@@ -68,17 +70,8 @@ Json describe(const Descent& run, double lowest) {
       .add("stop", atStop);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const std::string method = argc == 4 ? argv[1] : "";
-  const auto& names = problemNames();
-  if (std::find(names.begin(), names.end(), method) == names.end()) {
-    require(Status::failure(Code::badParameter, "usage: whittle-bench cubic|analogy|arap MESH SECONDS"));
-  }
-  const Problem problem = readProblem(method, argv[2]);
-  const double seconds = std::atof(argv[3]);
-
+/// The core beside the yardstick.
+void compare(const Problem& problem, double seconds, Json& result) {
   // First of all the core, cold: a fresh process, as a person who opens the page has it.
   const Descent ours = descend(problem, seconds);
   const double memory = peakMemory();
@@ -86,9 +79,6 @@ int main(int argc, char** argv) {
   const double lowest = std::min(ours.lowest(), plain.lowest());
   const Descent warm = descend(problem, seconds, kPermille * lowest);
 
-  Json result;
-  result.add("vertices", problem.mesh.vertexCount()).add("faces", problem.mesh.faceCount());
-  result.add("compiler", std::string(kCompiler));
   result.add("memory", memory);
   result.add("lowest", lowest);
   result.add("energyAtFixedCount", ours.energies[std::min<std::size_t>(kFixedCount, ours.energies.size() - 1)]);
@@ -96,6 +86,26 @@ int main(int argc, char** argv) {
   result.add("warm", describe(warm, lowest));
   result.add("plain", describe(plain, lowest));
   result.add("phases", measurePhases(problem, seconds / 2));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string method = argc == 4 ? argv[1] : "";
+  const auto& names = problemNames();
+  if (std::find(names.begin(), names.end(), method) == names.end()) {
+    require(Status::failure(Code::badParameter, "usage: whittle-bench METHOD MESH SECONDS"));
+  }
+  const Problem problem = readProblem(method, argv[2]);
+  const double seconds = std::atof(argv[3]);
+  Json result;
+  result.add("vertices", problem.mesh.vertexCount()).add("faces", problem.mesh.faceCount());
+  result.add("compiler", std::string(kCompiler));
+  if (problem.hasPlainPath()) {
+    compare(problem, seconds, result);
+  } else {
+    result.add("alone", measureAlone(problem, seconds)).add("memory", peakMemory());
+  }
   std::printf("%s\n", result.text().c_str());
   return 0;
 }

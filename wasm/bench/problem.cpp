@@ -1,5 +1,6 @@
 #include "bench/problem.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "bench/measure.h"
@@ -52,12 +53,36 @@ Points sidesOfCube() {
   return normals;
 }
 
+/// Waves along two axes, their texture laid on from the third.
+Relief waves(const TriangleMesh& mesh) {
+  Relief relief{CornerPairs(3 * mesh.faceCount(), 2), CornerPairs(3 * mesh.faceCount(), 2)};
+  for (Index corner = 0; corner < 3 * mesh.faceCount(); ++corner) {
+    const auto point = mesh.positions.row(mesh.triangles.data()[corner]);
+    for (int axis = 0; axis < 2; ++axis) {
+      relief.uvs(corner, axis) = static_cast<float>(point[axis]);
+      relief.slopes(corner, axis) = static_cast<float>(0.3 * std::sin(40 * point[axis]));
+    }
+  }
+  return relief;
+}
+
+Status chooseParameters(Session& session, const Problem& problem) {
+  if (problem.method == "cubic") return session.setNumber("lambda", problem.plain.cubeness);
+  if (problem.method == "normalmap") return session.setRelief("image", waves(problem.mesh));
+  if (problem.method == "polycube") return session.setStyle("directions", GaussMapData{.normals = sidesOfCube()});
+  if (problem.method != "analogy") return {};
+  if (Status status = session.setNumber("lambda", problem.plain.strength); !status.ok()) return status;
+  return session.setStyle("style", GaussMapData{.normals = problem.plain.style});
+}
+
 }  // namespace
 
 const std::vector<std::string>& problemNames() {
-  static const std::vector<std::string> names = {"cubic", "analogy", "arap"};
+  static const std::vector<std::string> names = {"cubic", "analogy", "arap", "normalmap", "developable", "polycube"};
   return names;
 }
+
+bool Problem::hasPlainPath() const { return method == "cubic" || method == "analogy" || method == "arap"; }
 
 Problem readProblem(const std::string& method, const char* path) {
   Problem problem{method, inUnitFrame(readMesh(path)), {}};
@@ -66,7 +91,7 @@ Problem readProblem(const std::string& method, const char* path) {
   } else if (method == "analogy") {
     problem.plain.strength = 1;
     problem.plain.style = sidesOfCube();
-  } else {
+  } else if (method == "arap") {
     problem.plain.handles = twist(problem.mesh.positions);
   }
   return problem;
@@ -75,13 +100,8 @@ Problem readProblem(const std::string& method, const char* path) {
 Status open(Session& session, const Problem& problem) {
   if (Status status = session.load(problem.mesh); !status.ok()) return status;
   if (Status status = session.select(problem.method); !status.ok()) return status;
-  if (problem.method == "cubic") {
-    if (Status status = session.setNumber("lambda", problem.plain.cubeness); !status.ok()) return status;
-  } else if (problem.method == "analogy") {
-    if (Status status = session.setNumber("lambda", problem.plain.strength); !status.ok()) return status;
-    const GaussMapData style{.normals = problem.plain.style};
-    if (Status status = session.setStyle("style", style); !status.ok()) return status;
-  }
+  if (Status status = chooseParameters(session, problem); !status.ok()) return status;
+  if (!problem.hasPlainPath()) return {};
   if (Status status = session.setNumber("tolerance", 0); !status.ok()) return status;
   if (Status status = session.setNumber("maxIterations", 1e6); !status.ok()) return status;
   return session.setHandles(problem.plain.handles);
