@@ -189,8 +189,9 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
 TEST_CASE("what thin faces say is not lost on the others") {
   TriangleMesh rest = bent(grid(4));
   // A vertex next to the edge across from it: caps whose weights are some hundreds and cancel.
-  const Vec3 a = rest.positions.row(6).transpose(), b = rest.positions.row(7).transpose();
-  rest.positions.row(12) = (0.4995 * (a + b)).transpose() + Eigen::RowVector3d(0, 1e-3, 0);
+  const auto corners = rest.triangles.row(9);
+  const Eigen::RowVector3d a = rest.positions.row(corners[0]), b = rest.positions.row(corners[1]), c0 = rest.positions.row(corners[2]);
+  rest.positions.row(corners[2]) = 0.499 * (a + b) + 0.002 * c0;
   const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
   for (const EdgeSetKind kind : {EdgeSetKind::spokesAndRims, EdgeSetKind::faces}) {
     const auto edges = makeEdgeSet(kind, rest, c);
