@@ -1,7 +1,8 @@
 import type { Engine, SolveOptions } from '../../src/engine/client.ts';
 import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
-import { WhittleError } from '../../src/mesh/failure.ts';
+import { toFailure, WhittleError } from '../../src/mesh/failure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
+import { idle, type Store } from './store.ts';
 
 /** One attempt at something that may be cancelled or overtaken by a later one. */
 export interface Task {
@@ -55,6 +56,24 @@ export class Runner {
   }
 }
 
-export function isWorkerLost(thrown: unknown): boolean {
+/**
+ * Says why a task failed, and offers to do it again where the worker died under it. Nothing is said of a task that was
+ * stopped or overtaken.
+ */
+export function reportFailure(store: Store, task: Task, thrown: unknown, again: () => void): void {
+  if (!task.current()) return;
+  if (task.signal.aborted && !isWorkerLost(thrown)) {
+    store.set({ activity: idle });
+    return;
+  }
+  const text = toFailure(thrown).message;
+  const action = { label: 'Try again', run: again };
+  store.set({
+    activity: idle,
+    notice: isWorkerLost(thrown) ? { tone: 'error', text, action } : { tone: 'error', text },
+  });
+}
+
+function isWorkerLost(thrown: unknown): boolean {
   return thrown instanceof WhittleError && thrown.code === 'worker-lost';
 }

@@ -17,6 +17,8 @@ export type Activity =
       readonly energy: readonly number[];
     };
 
+export const idle: Activity = Object.freeze({ kind: 'idle' });
+
 /** Something to tell a person. It stays until it is dismissed or replaced. */
 export interface Notice {
   readonly tone: 'error' | 'note';
@@ -81,7 +83,7 @@ export class Store {
   #state: State = {
     document: null,
     history: emptyHistory,
-    activity: { kind: 'idle' },
+    activity: idle,
     notice: null,
     look: { shading: 'smooth', theme: 'auto', comparing: false, overlay: 'none' },
     overlay: null,

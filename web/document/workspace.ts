@@ -1,38 +1,21 @@
-import type { Frame, Solved, SolveSettings } from '../../src/engine/protocol.ts';
-import { toFailure } from '../../src/mesh/failure.ts';
-import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
+import { Carver } from './carver.ts';
 import type { Display } from './display.ts';
-import {
-  type Result,
-  resultOf,
-  type Shaping,
-  sameShaping,
-  type WhittleDocument,
-  withShaping,
-} from './document.ts';
-import { amend, record, redo, undo } from './history.ts';
-import { offeredMethods, solverParameters, startingParameters, styleParameter } from './offered-methods.ts';
-import type { Picture } from './pictures.ts';
-import { isWorkerLost, type Runner, type Task } from './runner.ts';
-import type { Store } from './store.ts';
-
-const idle = Object.freeze({ kind: 'idle' as const });
-
-/** What a mesh opens with, where it is not the first method. */
-export interface Beginning {
-  readonly method?: MethodDescriptor;
-  readonly picture?: Picture;
-}
+import { type Shaping, sameShaping, type WhittleDocument, withShaping } from './document.ts';
+import { record, redo, undo } from './history.ts';
+import { startingParameters } from './offered-methods.ts';
+import { type Beginning, beginDocument, type OpenedFile, understandFile } from './opening.ts';
+import { type Runner, reportFailure } from './runner.ts';
+import { idle, type Store } from './store.ts';
 
 /** What a person does to the document: open, shape, settle, cancel, undo, take home. */
 export class Workspace {
   readonly store: Store;
   readonly #runner: Runner;
   readonly #display: Display;
+  readonly #carver: Carver;
   /** The document as it was when the gesture that is under way began. */
   #gestureFrom: WhittleDocument | null = null;
-  #settling: Promise<void> = Promise.resolve();
   /** The settings whose run a person stopped: that shape is kept and not settled after all when the gesture ends. */
   #stoppedAt: Shaping | null = null;
 
@@ -40,6 +23,7 @@ export class Workspace {
     this.store = store;
     this.#runner = runner;
     this.#display = display;
+    this.#carver = new Carver(store, runner, display);
   }
 
   get document(): WhittleDocument | null {
@@ -53,13 +37,15 @@ export class Workspace {
     this.#gestureFrom = null;
     this.store.set({ activity: { kind: 'opening', name }, notice: null });
     try {
-      const document = await this.#runner.patiently(task, () => this.#understand(task, bytes, name, begin));
-      if (task.current()) this.#enter(document, `Open ${name}`);
+      const file = await this.#runner.patiently(task, () =>
+        understandFile(this.#runner.engine, bytes, name, task.signal),
+      );
+      if (task.current()) this.#enter(file, begin);
     } catch (thrown) {
-      this.#fail(task, thrown, () => void this.open(bytes, name, begin));
+      reportFailure(this.store, task, thrown, () => void this.open(bytes, name, begin));
       return;
     }
-    await this.#carve(true);
+    await this.#carver.carve(true);
   }
 
   /** Follows a gesture: shows what these settings give, from where the shape is now. */
@@ -71,7 +57,7 @@ export class Workspace {
     const next = withShaping(document, change);
     this.store.set({ document: next, notice: null });
     this.#display.adopt(next);
-    void this.#follow(next);
+    void this.#carver.follow(next);
   }
 
   /** Ends a gesture: notes it for undo and settles it. */
@@ -95,7 +81,7 @@ export class Workspace {
     });
     if (keep) return;
     this.#display.adopt(after);
-    void this.#carve(false);
+    void this.#carver.carve(false);
   }
 
   chooseMethod(id: string): void {
@@ -114,7 +100,7 @@ export class Workspace {
     const history = record(this.store.state.history, { label, before, after });
     this.store.set({ document: after, history, notice: null });
     this.#display.adopt(after);
-    void this.#carve(true);
+    void this.#carver.carve(true);
   }
 
   /** Back to what this mesh opened with. */
@@ -144,8 +130,8 @@ export class Workspace {
   async write(
     extension: string,
   ): Promise<{ bytes: Uint8Array<ArrayBuffer>; document: WhittleDocument } | null> {
-    await this.#settling;
-    if (this.document?.result?.state === 'preview') await this.#carve(false);
+    await this.#carver.settling;
+    if (this.document?.result?.state === 'preview') await this.#carver.carve(false);
     const document = this.document;
     if (!document) return null;
     const { source } = document;
@@ -159,45 +145,16 @@ export class Workspace {
       if (task.current()) this.store.set({ activity: idle });
       return { bytes, document };
     } catch (thrown) {
-      this.#fail(task, thrown, () => void this.write(extension));
+      reportFailure(this.store, task, thrown, () => void this.write(extension));
       return null;
     }
   }
 
-  async #understand(
-    task: Task,
-    bytes: Uint8Array<ArrayBuffer>,
-    name: string,
-    begin: Beginning,
-  ): Promise<WhittleDocument> {
-    const { engine } = this.#runner;
-    const { mesh, format, warnings, normalMap } = await engine.read(bytes, name, { signal: task.signal });
-    const report = await engine.inspect(mesh, { signal: task.signal });
-    if (warnings.length > 0 && task.current())
-      this.store.set({ notice: { tone: 'note', text: warnings.join(' ') } });
-    // A style is put on the next mesh too; other methods may not suit it.
-    const before = findMethod(this.document?.method ?? '');
-    const method = begin.method ?? (styleParameter(before) ? before! : offeredMethods()[0]!);
-    const { style, directions } = this.document ?? { style: null, directions: null };
-    // A normal map inside the file comes before what was chosen for another.
-    const last = normalMap || this.document?.picture?.file ? null : this.document?.picture;
-    const picture = begin.picture ?? last ?? null;
-    const parameters = startingParameters(method, { report, style, mesh, picture });
-    return {
-      source: { bytes, name, format, ...(normalMap ? { normalMap } : {}) },
-      mesh,
-      report,
-      method: method.id,
-      parameters,
-      style,
-      directions,
-      picture,
-      result: null,
-    };
-  }
-
-  #enter(document: WhittleDocument, label: string): void {
+  #enter(file: OpenedFile, begin: Beginning): void {
+    if (file.warnings.length > 0) this.store.set({ notice: { tone: 'note', text: file.warnings.join(' ') } });
     const before = this.document;
+    const document = beginDocument(file, begin, before);
+    const label = `Open ${file.source.name}`;
     const { history } = this.store.state;
     this.store.set({
       document,
@@ -205,82 +162,6 @@ export class Workspace {
     });
     if (before) this.#releaseUnless(before);
     this.#display.document(document);
-  }
-
-  /** From the file's own shape to the end, so that the same file and settings always give the same bits. */
-  #carve(watch: boolean): Promise<void> {
-    this.#settling = this.#carveNow(watch);
-    return this.#settling;
-  }
-
-  async #carveNow(watch: boolean): Promise<void> {
-    const document = this.document;
-    if (!document) return;
-    const task = this.#runner.begin();
-    try {
-      const solved = await this.#solve(task, document, { start: 'rest', frames: watch }, watch);
-      if (!task.current()) return;
-      const stopped = solved.outcome === 'cancelled';
-      // A settling run that was stopped has shown nothing: what is on the screen is the preview, and that is kept.
-      const now = this.document;
-      if (now && stopped && !watch) this.#keepPreview(now);
-      else if (now) this.#take(now, resultOf(solved, stopped ? 'stopped' : 'settled'));
-      this.store.set({ activity: idle });
-    } catch (thrown) {
-      this.#fail(task, thrown, () => void this.#carve(watch));
-    }
-  }
-
-  /** One warm run on the way of a gesture. */
-  async #follow(document: WhittleDocument): Promise<void> {
-    const task = this.#runner.begin();
-    try {
-      const solved = await this.#solve(task, document, { start: 'current', frames: true }, true);
-      const now = this.document;
-      // A run that was overtaken by a later value or by the settling run still is the nearest there is to its shape.
-      if (now?.mesh !== document.mesh || !sameShaping(now, document)) return;
-      if (now.result?.state === 'settled') return;
-      const state = solved.outcome === 'cancelled' && task.signal.aborted ? 'stopped' : 'preview';
-      this.#amend(now, { ...now, result: resultOf(solved, state) });
-      if (task.current()) this.store.set({ activity: idle });
-    } catch (thrown) {
-      this.#fail(task, thrown, () => void this.#carve(false));
-    }
-  }
-
-  #solve(
-    task: Task,
-    document: WhittleDocument,
-    how: Pick<SolveSettings, 'start' | 'frames'>,
-    live: boolean,
-  ): Promise<Solved> {
-    const { mesh, method } = document;
-    const parameters = solverParameters(document);
-    const energy: number[] = [];
-    this.store.set({ activity: { kind: 'solving', live, iteration: 0, energy } });
-    const onFrame = async (frame: Frame) => {
-      energy.push(...frame.energy);
-      if (!task.current()) return;
-      this.store.set({ activity: { kind: 'solving', live, iteration: frame.iteration, energy } });
-      if (frame.positions) await this.#display.frame(mesh, frame.positions);
-    };
-    return this.#runner.solve(task, mesh, { method, parameters, ...how }, onFrame);
-  }
-
-  #take(document: WhittleDocument, result: Result): void {
-    const next = { ...document, result };
-    this.#amend(document, next);
-    this.#display.document(next);
-  }
-
-  #keepPreview(document: WhittleDocument): void {
-    if (document.result)
-      this.#amend(document, { ...document, result: { ...document.result, state: 'stopped' } });
-  }
-
-  #amend(old: WhittleDocument, next: WhittleDocument): void {
-    this.store.set({ document: next, history: amend(this.store.state.history, old, next) });
-    this.#display.adopt(next);
   }
 
   #travel(step: ReturnType<typeof undo>, to: 'before' | 'after'): boolean {
@@ -302,19 +183,5 @@ export class Workspace {
   /** The worker need not keep what is not on the screen: it is sent again if it comes back. */
   #releaseUnless(before: WhittleDocument): void {
     if (this.document?.mesh !== before.mesh) this.#runner.engine.release(before.mesh);
-  }
-
-  #fail(task: Task, thrown: unknown, again: () => void): void {
-    if (!task.current()) return;
-    if (task.signal.aborted && !isWorkerLost(thrown)) {
-      this.store.set({ activity: idle });
-      return;
-    }
-    const text = toFailure(thrown).message;
-    const action = { label: 'Try again', run: again };
-    this.store.set({
-      activity: idle,
-      notice: isWorkerLost(thrown) ? { tone: 'error', text, action } : { tone: 'error', text },
-    });
   }
 }
