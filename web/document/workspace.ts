@@ -40,7 +40,8 @@ export class Workspace {
       const file = await this.#runner.patiently(task, () =>
         understandFile(this.#runner.engine, bytes, name, task.signal),
       );
-      if (task.current()) this.#enter(file, begin);
+      if (!task.current()) return;
+      this.#enter(file, begin);
     } catch (thrown) {
       reportFailure(this.store, task, thrown, () => void this.open(bytes, name, begin));
       return;
