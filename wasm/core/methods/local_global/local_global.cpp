@@ -147,7 +147,7 @@ double LocalGlobal::localStep(const Displacements& displacements, Guess guess) {
     energy += fitBlock(block, guess);
     edges_->addTurned(turns_.data(), block, residual_);
   }
-  return energy;
+  return energy < 0 ? 0 : energy;  // a sum of squares, but for rounding
 }
 
 double LocalGlobal::fitBlock(ElementRange block, Guess guess) {
