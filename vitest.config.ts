@@ -8,7 +8,8 @@ export default defineConfig({
       {
         test: {
           name: 'node',
-          include: ['tests/{architecture,library,contract,app,repro}/**/*.test.ts'],
+          include: ['tests/**/*.test.ts'],
+          exclude: ['tests/browser/**'],
           testTimeout: 60_000,
         },
       },

@@ -1,23 +1,23 @@
 import { createBrowserEngine } from '../src/engine/in-browser.ts';
 import { Viewer } from '../src/viewer/viewer.ts';
+import { samples } from './app/samples.ts';
+import { Store } from './app/store.ts';
 import { Display } from './document/display.ts';
 import { Runner } from './document/runner.ts';
-import { samples } from './document/samples.ts';
-import { Store } from './document/store.ts';
 import { Workspace } from './document/workspace.ts';
 import './panels/all.ts';
 import type { PageElement } from './panels/page-element.ts';
-import './styles/all.css';
-import { listenForDrops } from './tools/drop.ts';
-import { followMethod } from './tools/follow-method.ts';
-import { followLayout } from './tools/layout.ts';
-import { followOverlay } from './tools/overlay-paint.ts';
-import { Page } from './tools/page.ts';
-import { Painter } from './tools/painter.ts';
-import { PictureDesk } from './tools/picture-desk.ts';
-import { listenForShortcuts } from './tools/shortcuts.ts';
-import { StyleDesk } from './tools/style-desk.ts';
-import { followTheme } from './tools/theme.ts';
+import './css/all.css';
+import { Page } from './app/actions.ts';
+import { listenForDrops } from './app/drop.ts';
+import { followMethod } from './app/follow-method.ts';
+import { PictureDesk } from './app/image-actions.ts';
+import { followLayout } from './app/layout.ts';
+import { followOverlay } from './app/overlay-paint.ts';
+import { listenForShortcuts } from './app/shortcuts.ts';
+import { StyleDesk } from './app/style-actions.ts';
+import { followTheme } from './app/theme.ts';
+import { Painter } from './tools/paint-normals.ts';
 
 const element = (selector: string) => document.querySelector<HTMLElement>(selector)!;
 

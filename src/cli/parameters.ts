@@ -1,6 +1,6 @@
 import { WhittleError } from '../mesh/failure.ts';
-import { checkParameters } from '../methods/check.ts';
 import type { MethodDescriptor, ParameterDescriptor, ParameterValues } from '../methods/descriptor.ts';
+import { checkParameters } from '../methods/values/check.ts';
 import { parseJson } from '../recipe/index.ts';
 import { flagOf } from './command.ts';
 import { readText } from './files.ts';

@@ -1,13 +1,13 @@
 import type { ReadResult } from '../engine/protocol.ts';
+import { patternIds } from '../inputs/images/patterns.ts';
+import { isPatternName, patternOf, textureOfPng } from '../inputs/images/read.ts';
+import type { Texture, TextureOptions } from '../inputs/images/texture.ts';
+import { legibility, type ReliefOptions, reliefOf, tooFine } from '../inputs/images/texture-slopes.ts';
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import type { ParameterValues } from '../methods/descriptor.ts';
 import { findMethod } from '../methods/registry.ts';
 import type { RecipeStep } from '../recipe/index.ts';
-import { patternIds } from '../textures/patterns.ts';
-import { isPatternName, patternOf, textureOfPng } from '../textures/read.ts';
-import { legibility, type ReliefOptions, reliefOf, tooFine } from '../textures/relief.ts';
-import type { Texture, TextureOptions } from '../textures/texture.ts';
 import { readBytes } from './files.ts';
 import { at } from './problems.ts';
 import { pathOf } from './style.ts';

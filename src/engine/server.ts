@@ -1,12 +1,12 @@
 import { toFailure, WhittleError } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
-import { checkParameters } from '../methods/check.ts';
 import type { MethodDescriptor } from '../methods/descriptor.ts';
 import { findMethod, methods } from '../methods/registry.ts';
 import { didYouMean } from '../methods/suggest.ts';
+import { checkParameters } from '../methods/values/check.ts';
+import { toWelded } from '../methods/values/to-welded.ts';
 import type { Core } from './core.ts';
 import { FrameGate } from './frames.ts';
-import { toWelded } from './handles.ts';
 import { createHop } from './hop.ts';
 import { LoadedMesh } from './loaded-mesh.ts';
 import type { ServerPort } from './port.ts';

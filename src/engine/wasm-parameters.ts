@@ -1,6 +1,6 @@
 import type { Handles, ParameterValue, Scalars } from '../methods/descriptor.ts';
-import type { GaussMap } from '../methods/gauss-map.ts';
-import type { Relief } from '../methods/relief.ts';
+import type { GaussMap } from '../methods/values/gauss-map.ts';
+import type { Relief } from '../methods/values/texture-slopes.ts';
 import type { CoreParameter } from './core.ts';
 import type { WasmHeap } from './wasm-heap.ts';
 import type { WasmModule } from './wasm-module.ts';

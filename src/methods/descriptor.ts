@@ -1,5 +1,5 @@
-import type { GaussMap } from './gauss-map.ts';
-import type { Relief } from './relief.ts';
+import type { GaussMap } from './values/gauss-map.ts';
+import type { Relief } from './values/texture-slopes.ts';
 
 /** What a change of a parameter makes the core recompute; each includes those before it. */
 export type Invalidates = 'targets' | 'weights' | 'system' | 'all';
@@ -75,7 +75,7 @@ export interface RotationsParameter extends Parameter {
 }
 
 /**
- * A style. In a recipe or on the command line a {@link StyleName} or {@link Directions}, which `resolveStyle` of `src/styles`
+ * A style. In a recipe or on the command line a {@link StyleName} or {@link Directions}, which `resolveStyle` of `src/inputs/styles`
  * turns into the {@link GaussMap} that the engine takes.
  */
 export interface StyleParameter extends Parameter {
@@ -88,7 +88,7 @@ export interface StyleParameter extends Parameter {
 
 /**
  * A picture that lies on the mesh by its texture coordinates. In a recipe or on the command line an {@link ImageName}, which
- * `src/textures` turns into the {@link Relief} that the engine takes.
+ * `src/inputs/images` turns into the {@link Relief} that the engine takes.
  */
 export interface ReliefParameter extends Parameter {
   readonly kind: 'relief';

@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { handles, iterations, strengthByVertex } from './local-global.ts';
+import { handles, iterations, strengthByVertex } from './shared-parameters.ts';
 
 export const developable: MethodDescriptor = {
   id: 'developable',

@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { lambdaPerVertex, regularizer, shared } from './local-global.ts';
+import { lambdaPerVertex, regularizer, shared } from './shared-parameters.ts';
 
 export const normalmap: MethodDescriptor = {
   id: 'normalmap',

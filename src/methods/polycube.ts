@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { iterations } from './local-global.ts';
+import { iterations } from './shared-parameters.ts';
 
 export const polycube: MethodDescriptor = {
   id: 'polycube',

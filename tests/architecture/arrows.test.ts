@@ -5,24 +5,14 @@ import { describe, expect, test } from 'vitest';
 /** Which rooms a room may import from (DESIGN §1). What is not listed is forbidden. */
 const typescriptArrows: Record<string, string[]> = {
   'src/mesh': [],
-  'src/methods': [],
-  'src/styles': ['src/mesh', 'src/methods'],
-  'src/textures': ['src/styles', 'src/mesh', 'src/methods'],
+  'src/methods': ['src/mesh'],
+  'src/inputs': ['src/io', 'src/methods', 'src/mesh'],
   'src/io': ['src/mesh'],
   'src/recipe': ['src/methods', 'src/mesh'],
   'src/engine': ['src/io', 'src/methods', 'src/mesh', 'wasm/dist'],
   'src/viewer': ['src/mesh'],
-  'src/cli': ['src/engine', 'src/recipe', 'src/io', 'src/styles', 'src/textures', 'src/methods', 'src/mesh'],
-  web: [
-    'src/engine',
-    'src/viewer',
-    'src/recipe',
-    'src/styles',
-    'src/textures',
-    'src/methods',
-    'src/mesh',
-    'src/io',
-  ],
+  'src/cli': ['src/engine', 'src/recipe', 'src/io', 'src/inputs', 'src/methods', 'src/mesh'],
+  web: ['src/engine', 'src/viewer', 'src/recipe', 'src/inputs', 'src/methods', 'src/mesh', 'src/io'],
 };
 
 const coreArrows: Record<string, string[]> = {

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { createServer } from 'vite';
 import type { Core, CoreSession } from '../../src/engine/core.ts';
+import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import { findPrimitive } from '../../src/styles/primitives.ts';
 import { testCore } from '../fixtures/core.ts';
 import type { TestMesh } from '../fixtures/meshes.ts';
 import { markdownTable, percent, withSpread } from './numbers.ts';

@@ -1,9 +1,9 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { pixelsOfMap, sphereMap } from '../../src/styles/captures.ts';
-import { isPng, writePng } from '../../src/styles/png.ts';
-import { unit } from '../../src/styles/vectors.ts';
+import { isPng, writePng } from '../../src/inputs/images/png.ts';
+import { pixelsOfMap, sphereMap } from '../../src/inputs/styles/captures.ts';
+import { unit } from '../../src/mesh/vectors.ts';
 import { violations } from './support/axe.ts';
 import { carved, picture } from './support/browser.ts';
 import { usePage } from './support/use-page.ts';

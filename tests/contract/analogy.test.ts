@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import type { GaussMap } from '../../src/methods/gauss-map.ts';
-import { isFaceted } from '../../src/styles/faceted.ts';
-import { findPrimitive } from '../../src/styles/primitives.ts';
-import { resolveStyle, styleNames } from '../../src/styles/resolve.ts';
+import { isFaceted } from '../../src/inputs/styles/faceted.ts';
+import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
+import { resolveStyle, styleNames } from '../../src/inputs/styles/resolve.ts';
+import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import { testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere } from '../fixtures/meshes.ts';
 import { run } from '../fixtures/runs.ts';

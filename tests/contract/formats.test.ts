@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { formatForFileName, formats as ioFormats } from '../../src/io/index.ts';
-import { formats as pageFormats } from '../../web/document/formats.ts';
+import { formats as pageFormats } from '../../web/app/export.ts';
 
 test('the page offers just the formats of the file layer', () => {
   expect(pageFormats.map(({ id }) => id).toSorted()).toEqual([...ioFormats].toSorted());

@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
+import { textureOf } from '../../src/inputs/images/texture.ts';
+import { reliefOf } from '../../src/inputs/images/texture-slopes.ts';
 import { readMesh } from '../../src/io/index.ts';
+import { cross, dot, length, row, scale, subtract, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import { cross, dot, length, row, scale, subtract, unit, type Vec3 } from '../../src/styles/vectors.ts';
-import { reliefOf } from '../../src/textures/relief.ts';
-import { textureOf } from '../../src/textures/texture.ts';
 import { testCore } from '../fixtures/core.ts';
 import { normalMap, paint, plate, type TexturedMesh, texturedObj } from '../fixtures/textured.ts';
 

@@ -1,7 +1,7 @@
 import type { Outcome, ReadResult, Solved } from '../../src/engine/protocol.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import type { GaussMap } from '../../src/methods/gauss-map.ts';
+import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import type { Picture } from './pictures.ts';
 
 /** The file as it came. */

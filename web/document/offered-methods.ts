@@ -7,12 +7,12 @@ import type {
   ParameterValues,
   StyleParameter,
 } from '../../src/methods/descriptor.ts';
-import type { GaussMap } from '../../src/methods/gauss-map.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
+import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
+import type { Shading } from '../app/store.ts';
 import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
 import { laid, type Picture, startingRepeat } from './pictures.ts';
 import { startingLambda, startingRegularizer, startingStrength } from './starting-lambda.ts';
-import type { Shading } from './store.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;

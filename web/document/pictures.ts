@@ -1,10 +1,16 @@
+import type { Image } from '../../src/inputs/images/image.ts';
+import { findPattern, patternIds } from '../../src/inputs/images/patterns.ts';
+import { type Texture, type TextureOptions, textureOf } from '../../src/inputs/images/texture.ts';
+import {
+  legibility,
+  type ReliefOptions,
+  reliefOf,
+  tilesAlong,
+  tooFine,
+} from '../../src/inputs/images/texture-slopes.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import type { Relief } from '../../src/methods/relief.ts';
-import type { Image } from '../../src/textures/image.ts';
-import { findPattern, patternIds } from '../../src/textures/patterns.ts';
-import { legibility, type ReliefOptions, reliefOf, tilesAlong, tooFine } from '../../src/textures/relief.ts';
-import { type Texture, type TextureOptions, textureOf } from '../../src/textures/texture.ts';
+import type { Relief } from '../../src/methods/values/texture-slopes.ts';
 import type { Source } from './document.ts';
 
 /** A picture to be laid on a mesh. Immutable. */

@@ -2,7 +2,7 @@ import type { Engine, SolveOptions } from '../../src/engine/client.ts';
 import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
 import { toFailure, WhittleError } from '../../src/mesh/failure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
-import { idle, type Store } from './store.ts';
+import { idle, type Store } from '../app/store.ts';
 
 /** One attempt at something that may be cancelled or overtaken by a later one. */
 export interface Task {

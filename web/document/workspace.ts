@@ -1,4 +1,5 @@
 import { findMethod } from '../../src/methods/registry.ts';
+import { idle, type Store } from '../app/store.ts';
 import { Carver } from './carver.ts';
 import type { Display } from './display.ts';
 import { type Shaping, sameShaping, type WhittleDocument, withShaping } from './document.ts';
@@ -6,7 +7,6 @@ import { record, redo, undo } from './history.ts';
 import { startingParameters } from './offered-methods.ts';
 import { type Beginning, beginDocument, type OpenedFile, understandFile } from './opening.ts';
 import { type Runner, reportFailure } from './runner.ts';
-import { idle, type Store } from './store.ts';
 
 /** What a person does to the document: open, shape, settle, cancel, undo, take home. */
 export class Workspace {

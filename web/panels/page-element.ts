@@ -1,6 +1,6 @@
 import { LitElement } from 'lit';
-import type { State } from '../document/store.ts';
-import type { Page } from '../tools/page.ts';
+import type { Page } from '../app/actions.ts';
+import type { State } from '../app/store.ts';
 
 /** A panel: drawn from the page's state into the document itself, so that one style sheet and one focus order serve all. */
 export abstract class PageElement extends LitElement {

@@ -2,8 +2,8 @@ import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { MethodDescriptor, StyleParameter } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
+import { exportName, formats, ownFormat } from '../app/export.ts';
 import type { WhittleDocument } from '../document/document.ts';
-import { exportName, formats, ownFormat } from '../document/formats.ts';
 import {
   type EditableParameter,
   editableParameters,

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import { shaded } from '../../src/textures/shade.ts';
+import { shaded } from '../../src/inputs/images/shade.ts';
 import type { WhittleDocument } from '../document/document.ts';
 import { laid, type Picture } from '../document/pictures.ts';
 import { icon } from './icons.ts';

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import { findMethod } from '../../src/methods/registry.ts';
-import type { State } from '../document/store.ts';
+import type { State } from '../app/store.ts';
 import { PageElement } from './page-element.ts';
 import { sparkline } from './sparkline.ts';
 

@@ -1,6 +1,6 @@
 import { html } from 'lit';
-import { samples } from '../document/samples.ts';
-import { nextTheme } from '../tools/theme.ts';
+import { samples } from '../app/samples.ts';
+import { nextTheme } from '../app/theme.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 import './menu.ts';

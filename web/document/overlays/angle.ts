@@ -1,7 +1,7 @@
-import type { GaussMap } from '../../../src/methods/gauss-map.ts';
-import { type GaussLookup, lookup } from '../../../src/styles/gauss-lookup.ts';
-import { findPrimitive, type Primitive } from '../../../src/styles/primitives.ts';
-import { dot, row } from '../../../src/styles/vectors.ts';
+import { type GaussLookup, lookup } from '../../../src/inputs/styles/gauss-lookup.ts';
+import { findPrimitive, type Primitive } from '../../../src/inputs/styles/primitives.ts';
+import { dot, row } from '../../../src/mesh/vectors.ts';
+import type { GaussMap } from '../../../src/methods/values/gauss-map.ts';
 import { shownPositions, type WhittleDocument } from '../document.ts';
 import { styleOf } from '../offered-methods.ts';
 import type { Measure, Overlay } from './overlay.ts';

@@ -1,0 +1,13 @@
+import { usualShading } from '../document/offered-methods.ts';
+import type { Page } from './actions.ts';
+
+/** Shades the mesh as suits the method that is on, unless the person chose another way to look. */
+export function followMethod(page: Page): void {
+  let method: string | undefined;
+  page.store.subscribe(({ document, look }) => {
+    if (!document || document.method === method) return;
+    const isUntouched = look.shading === usualShading(method);
+    method = document.method;
+    if (isUntouched) page.look({ shading: usualShading(method) });
+  });
+}

@@ -1,0 +1,154 @@
+import { writePng } from '../../src/inputs/images/png.ts';
+import { blankMap, onSphere, pixelsOfMap, type SphereMap } from '../../src/inputs/styles/captures.ts';
+import { add, row, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
+import { methods } from '../../src/methods/registry.ts';
+import { BrushSurface, type BrushTip, Coverage, Stroke } from '../../src/viewer/brush-surface.ts';
+import type { Store } from '../app/store.ts';
+import type { ChosenStyle, Shaping } from '../document/document.ts';
+import { canTake, startingParameters } from '../document/offered-methods.ts';
+import type { Workspace } from '../document/workspace.ts';
+
+/** What the brush is like. */
+export interface Brush {
+  /** Of its tip on the ball, in degrees. */
+  readonly size: number;
+  readonly hardness: number;
+  /** The normal that it paints, unit, in the file's axes. */
+  readonly direction: Vec3;
+  /** The far side gets the mirror image, so that a picture of the front holds all of it. */
+  readonly mirror: boolean;
+}
+
+/** Pixels along the side of a saved capture. */
+const pictureSize = 256;
+
+/** Paints normals on a ball; the mesh follows every stroke, and each stroke is one entry for undo. */
+export class Painter {
+  brush: Brush = { size: 28, hardness: 0.4, direction: [0, 1, 0], mirror: true };
+  readonly #store: Store;
+  readonly #workspace: Workspace;
+  readonly #soon: (run: () => void) => void;
+  #ball: BrushSurface | null = null;
+  #stroke: { path: Stroke; coverage: Coverage; mirrored: Coverage; base: SphereMap; map: SphereMap } | null =
+    null;
+  #isScheduled = false;
+
+  /** @param soon runs something before the next picture */
+  constructor(store: Store, workspace: Workspace, soon: (run: () => void) => void) {
+    this.#store = store;
+    this.#workspace = workspace;
+    this.#soon = soon;
+  }
+
+  /** What is on the ball: the stroke that is being painted, else the document's style. */
+  get map(): SphereMap {
+    return this.#stroke?.map ?? sphereOf(this.#store.state.document?.style ?? null);
+  }
+
+  get isPainting(): boolean {
+    return this.#stroke !== null;
+  }
+
+  toggle(): void {
+    const { gallery } = this.#store.state;
+    this.#store.set({ gallery: { ...gallery, painting: !gallery.painting } });
+  }
+
+  setBrush(change: Partial<Brush>): void {
+    this.brush = { ...this.brush, ...change };
+    this.#store.set({});
+  }
+
+  /** Puts the brush on a point of the unit ball. */
+  begin(point: Vec3): void {
+    const base = this.map;
+    this.#ball ??= new BrushSurface(base.points, base.triangles);
+    this.#stroke = {
+      path: new Stroke(this.#tip().radius / 4),
+      coverage: new Coverage(this.#ball),
+      mirrored: new Coverage(this.#ball),
+      base,
+      map: base,
+    };
+    this.move(point);
+  }
+
+  move(point: Vec3): void {
+    const stroke = this.#stroke;
+    if (!stroke) return;
+    const normals = stroke.map.normals.slice();
+    const { direction, mirror } = this.brush;
+    for (const touch of stroke.path.to(point)) {
+      this.#lay(stroke.coverage, unit(touch), direction, normals);
+      if (mirror) this.#lay(stroke.mirrored, mirrorOf(unit(touch)), mirrorOf(direction), normals);
+    }
+    stroke.map = { ...stroke.map, normals };
+    this.#follow();
+  }
+
+  end(): void {
+    const stroke = this.#stroke;
+    if (!stroke) return;
+    this.#stroke = null;
+    this.#workspace.commit(this.#shaping(stroke.map), 'Stroke');
+  }
+
+  /** An empty ball: every normal stays as it is. */
+  clear(): void {
+    this.#workspace.restyle(this.#shaping(blankMap()), 'Clear the ball');
+  }
+
+  /** The front of the ball as a normal capture. */
+  picture(): Uint8Array<ArrayBuffer> {
+    return writePng(pixelsOfMap(this.map, pictureSize));
+  }
+
+  #tip(): BrushTip {
+    return { radius: 2 * Math.sin((this.brush.size * Math.PI) / 360), hardness: this.brush.hardness };
+  }
+
+  #lay(coverage: Coverage, point: Vec3, direction: Vec3, normals: Float64Array): void {
+    const { base } = this.#stroke!;
+    for (const vertex of coverage.touch(point, this.#tip())) {
+      const share = coverage.share[vertex]!;
+      const mixed = unit(add(scale(row(base.normals, vertex), 1 - share), scale(direction, share)));
+      // Between opposite normals there is no middle.
+      if (mixed.some((value) => value !== 0)) normals.set(mixed, 3 * vertex);
+    }
+  }
+
+  /** At most one preview per picture: strokes come faster than screens. */
+  #follow(): void {
+    if (this.#isScheduled) return;
+    this.#isScheduled = true;
+    this.#soon(() => {
+      this.#isScheduled = false;
+      if (this.#stroke) this.#workspace.preview(this.#shaping(this.#stroke.map));
+    });
+  }
+
+  #shaping(map: SphereMap): Partial<Shaping> {
+    const style: ChosenStyle = { id: 'painted', name: 'Painted', source: 'painted.png', map };
+    const method = methods.find((one) => canTake(one, map))!;
+    const { document } = this.#store.state;
+    if (!document || document.method === method.id) return { style };
+    return { method: method.id, parameters: startingParameters(method, { ...document, style }), style };
+  }
+}
+
+const spheres = new WeakMap<ChosenStyle, SphereMap>();
+let blank: SphereMap | null = null;
+
+function sphereOf(style: ChosenStyle | null): SphereMap {
+  if (!style) {
+    blank ??= blankMap();
+    return blank;
+  }
+  const known = spheres.get(style) ?? onSphere(style.map);
+  spheres.set(style, known);
+  return known;
+}
+
+function mirrorOf([x, y, z]: Vec3): Vec3 {
+  return [x, y, -z];
+}
