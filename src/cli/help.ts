@@ -1,6 +1,6 @@
 import type { ChoiceParameter, MethodDescriptor, ParameterDescriptor } from '../methods/descriptor.ts';
+import { kebabCase } from '../methods/kebab-case.ts';
 import { methods } from '../methods/registry.ts';
-import { flagOf } from './command.ts';
 
 /** The text of `whittle --help`. */
 export function generalHelp(): string {
@@ -41,7 +41,7 @@ export function methodsHelp(): string {
 
 function parameterHelp(parameter: ParameterDescriptor): string {
   const { value, range } = valueHelp(parameter);
-  return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(33)}${range}\n      ${parameter.doc}\n`;
+  return `  ${`--${kebabCase(parameter.name)} ${value}`.padEnd(33)}${range}\n      ${parameter.doc}\n`;
 }
 
 interface ValueHelp {

@@ -1,5 +1,6 @@
 import type { Engine } from '../engine/client.ts';
 import { formatForFileName, isFormat } from '../io/index.ts';
+import { movedMesh } from '../mesh/weld.ts';
 import type { RecipeStep } from '../recipe/index.ts';
 import type { RunFiles } from './command.ts';
 import { readBytes, requireFolderOf, writeWhole } from './files.ts';
@@ -90,7 +91,7 @@ async function runSteps(
     engine.release(current);
     reports.push(stepReport(method, solved, loadMilliseconds));
     reports.at(-1)!.warnings.push(...warnings);
-    current = { ...current, positions: solved.positions };
+    current = movedMesh(current, solved.positions);
     if (solved.outcome === 'cancelled') break;
   }
   return { positions: current.positions, input: input!, reports };

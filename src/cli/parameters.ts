@@ -1,8 +1,8 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { MethodDescriptor, ParameterDescriptor, ParameterValues } from '../methods/descriptor.ts';
+import { kebabCase } from '../methods/kebab-case.ts';
 import { checkParameters } from '../methods/values/check.ts';
 import { parseJson } from '../recipe/index.ts';
-import { flagOf } from './command.ts';
 import { readText } from './files.ts';
 import { UsageError } from './problems.ts';
 
@@ -22,7 +22,7 @@ export async function readParameters(
     if (text === undefined || isFile(descriptor, text)) continue;
     values[descriptor.name] = plainValue(descriptor, text);
     const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
-    if (problem) throw new UsageError(`--${flagOf(descriptor.name)}: ${problem.message}`);
+    if (problem) throw new UsageError(`--${kebabCase(descriptor.name)}: ${problem.message}`);
   }
   for (const descriptor of method.parameters) {
     const file = typed.get(descriptor.name);

@@ -6,11 +6,11 @@ import { type Mapping, resolveStyle, type StyleSource, styleNames } from '../inp
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import type { Directions, MethodDescriptor, ParameterValues, StyleParameter } from '../methods/descriptor.ts';
+import { kebabCase } from '../methods/kebab-case.ts';
 import { findMethod } from '../methods/registry.ts';
 import { checkParameters } from '../methods/values/check.ts';
 import type { GaussMap } from '../methods/values/gauss-map.ts';
 import { parseJson, type RecipeStep } from '../recipe/index.ts';
-import { flagOf } from './command.ts';
 import { readBytes, readText } from './files.ts';
 import { at, FileError } from './problems.ts';
 
@@ -49,7 +49,7 @@ async function resolved(engine: Engine, asked: Asked, recipe: string | undefined
   const { descriptor, given, mapping } = asked;
   const source = await sourceOf(engine, asked, recipe);
   const place =
-    typeof given === 'string' && typeof source !== 'string' ? given : `--${flagOf(descriptor.name)}`;
+    typeof given === 'string' && typeof source !== 'string' ? given : `--${kebabCase(descriptor.name)}`;
   return at(
     place,
     resolveStyle(source, mapping, (mesh) => flowed(engine, mesh)),

@@ -1,9 +1,9 @@
+import { oddities } from '../mesh/report-sentences.ts';
 import type { ParameterValues } from '../methods/descriptor.ts';
 import type { FrameGate } from './frames.ts';
 import type { Hop } from './hop.ts';
 import type { LoadedMesh } from './loaded-mesh.ts';
 import type { Outcome, Solved, SolveSettings } from './protocol.ts';
-import { warningsOf } from './warnings.ts';
 
 /** Messages get in at least this often, single steps permitting. Shorter would slow small meshes. */
 const hopMilliseconds = 8;
@@ -79,7 +79,7 @@ export async function runToEnd(
     energy,
     positions,
     milliseconds,
-    warnings: warningsOf(mesh.report),
+    warnings: oddities(mesh.report),
   };
 }
 

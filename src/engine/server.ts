@@ -5,7 +5,7 @@ import { findMethod, methods } from '../methods/registry.ts';
 import { didYouMean } from '../methods/suggest.ts';
 import { checkParameters } from '../methods/values/check.ts';
 import { toWelded } from '../methods/values/to-welded.ts';
-import type { Core } from './core.ts';
+import type { Core } from './core-api.ts';
 import { FrameGate } from './frames.ts';
 import { createHop } from './hop.ts';
 import { LoadedMesh } from './loaded-mesh.ts';
@@ -112,7 +112,7 @@ class Server {
     if (!entry) throw new WhittleError('internal', 'The mesh to solve was released. Please report it.');
     // A request that is refused here does not disturb the run before it.
     const method = checkedMethod(settings);
-    const parameters = toWelded(method, settings.parameters, entry.mesh.welded);
+    const parameters = toWelded(method, settings.parameters, entry.mesh.weld);
 
     const previous = entry.latest;
     const run = new Run(settings, this.#gate(id, entry.mesh, settings));

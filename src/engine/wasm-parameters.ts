@@ -1,7 +1,7 @@
 import type { Handles, ParameterValue, Scalars } from '../methods/descriptor.ts';
 import type { GaussMap } from '../methods/values/gauss-map.ts';
 import type { Relief } from '../methods/values/texture-slopes.ts';
-import type { CoreParameter } from './core.ts';
+import type { CoreParameter } from './core-api.ts';
 import type { WasmHeap } from './wasm-heap.ts';
 import type { WasmModule } from './wasm-module.ts';
 

@@ -1,7 +1,7 @@
 import { type FailureCode, WhittleError } from '../mesh/failure.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
 import type { ParameterValues } from '../methods/descriptor.ts';
-import type { Core, CoreSession, Step } from './core.ts';
+import type { Core, CoreSession, Step } from './core-api.ts';
 import type { WasmHeap } from './wasm-heap.ts';
 import type { WasmModule } from './wasm-module.ts';
 import { WasmParameters } from './wasm-parameters.ts';

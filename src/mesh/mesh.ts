@@ -1,12 +1,16 @@
+import type { Weld } from './weld.ts';
+
 /**
  * A triangle mesh as its file describes it: positions in the file's own order, units and place. Polygons are split into
- * triangles; vertices that a file stores several times (seams, STL corners) stay apart here, see {@link weld}.
+ * triangles; vertices that a file stores several times (seams, STL corners) stay apart here, see {@link Weld}.
  */
 export interface Mesh {
   /** #P×3, xyz interleaved, in the file's position order. */
   readonly positions: Float64Array<ArrayBuffer>;
   /** #F×3 indices into `positions`. */
   readonly triangles: Uint32Array<ArrayBuffer>;
+  /** Which positions are one place; absent where nobody asked yet, see `weldOf`. */
+  readonly weld?: Weld;
   /** #P×3 linear RGB in [0, 1], if the file colours its vertices. */
   readonly colors?: Float32Array<ArrayBuffer>;
   /**

@@ -1,3 +1,4 @@
+import type { MeshReport } from '../mesh/mesh.ts';
 import type { GaussMap } from './values/gauss-map.ts';
 import type { Relief } from './values/texture-slopes.ts';
 
@@ -111,6 +112,21 @@ export type ParameterDescriptor =
   | ReliefParameter
   | HandlesParameter;
 
+/** The normals that a method draws the mesh's to. */
+export interface StyleTargets {
+  /** The parameter whose value, or name, tells the style. */
+  readonly style: string;
+  /** Whose normals the targets are looked up from: the input's once, or the output's as it goes. */
+  readonly lookedUpFrom: 'input' | 'output';
+}
+
+/** What values to start from depend on. */
+export interface StartingPoint {
+  readonly report: MeshReport;
+  /** The style that the method is to take, if it takes one and one was chosen. */
+  readonly style: GaussMap | null;
+}
+
 /** A method as page, recipe, command line and element see it. */
 export interface MethodDescriptor {
   readonly id: string;
@@ -118,6 +134,12 @@ export interface MethodDescriptor {
   /** One sentence for the panel and `whittle methods`. */
   readonly summary: string;
   readonly paper: string;
+  /** How its results are looked at best: boxes and folded sheets by their faces. */
+  readonly shading: 'smooth' | 'flat';
+  /** What normals are drawn to, for these values; absent where the method has no targets that a style tells. */
+  readonly targets?: (values: ParameterValues) => StyleTargets;
+  /** Values that suit a mesh and a style better than the defaults. */
+  readonly startingValues?: (about: StartingPoint) => ParameterValues;
   readonly parameters: readonly ParameterDescriptor[];
 }
 

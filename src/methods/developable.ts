@@ -6,6 +6,7 @@ export const developable: MethodDescriptor = {
   title: 'Developable',
   summary: 'Make the mesh of pieces that unroll flat, as if folded of paper: curvature gathers on creases.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §5.2',
+  shading: 'flat',
   parameters: [
     {
       name: 'lambda',

@@ -7,6 +7,7 @@ export const normalmap: MethodDescriptor = {
   summary:
     'Make shape of a picture: a normal map or a height map becomes geometry where it lies on the mesh.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §6',
+  shading: 'smooth',
   parameters: [
     {
       name: 'image',

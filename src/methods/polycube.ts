@@ -6,6 +6,8 @@ export const polycube: MethodDescriptor = {
   title: 'PolyCube',
   summary: 'Turn every face to the closest of a few directions and let the details go: a mesh of boxes.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §5.1',
+  shading: 'flat',
+  targets: () => ({ style: 'directions', lookedUpFrom: 'output' }),
   parameters: [
     {
       name: 'directions',

@@ -1,9 +1,10 @@
 import { analogy } from './analogy.ts';
+import { arap } from './arap.ts';
+import { cubic } from './cubic.ts';
 import type { MethodDescriptor } from './descriptor.ts';
 import { developable } from './developable.ts';
 import { normalmap } from './normalmap.ts';
 import { polycube } from './polycube.ts';
-import { arap, cubic } from './shared-parameters.ts';
 import { spherical } from './spherical.ts';
 
 /** All methods, in the order in which the page offers them. A contract test holds it against the core's own list. */

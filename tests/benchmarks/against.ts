@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { createServer } from 'vite';
-import type { Core, CoreSession } from '../../src/engine/core.ts';
+import type { Core, CoreSession } from '../../src/engine/core-api.ts';
 import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import { testCore } from '../fixtures/core.ts';

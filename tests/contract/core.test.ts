@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import type { CoreSession } from '../../src/engine/core.ts';
+import type { CoreSession } from '../../src/engine/core-api.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
 import { testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere, type TestMesh, together } from '../fixtures/meshes.ts';

@@ -1,4 +1,4 @@
-import type { Core, CoreSession, Step } from '../../src/engine/core.ts';
+import type { Core, CoreSession, Step } from '../../src/engine/core-api.ts';
 import type { Services } from '../../src/engine/services.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
@@ -133,7 +133,7 @@ class FakeSession implements CoreSession {
 export function fakeServices(core: FakeCore): Services {
   return {
     loadCore: async () => core,
-    readMesh: (bytes) => ({ mesh: tetrahedron([...bytes]), format: 'fake', warnings: [] }),
+    readMesh: (bytes) => ({ mesh: tetrahedron([...bytes]), format: 'off', warnings: [] }),
     writeMesh: (source, _name, format, positions) => {
       if (format === 'bad') throw new WhittleError('unknown-format', 'There is no format “bad”.');
       return new Uint8Array([...source, ...positions]);

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { unweld, weld } from '../../src/mesh/weld.ts';
+import { gather, movedMesh, spread, weld, weldOf } from '../../src/mesh/weld.ts';
 
 /** Positions from few distinct numbers, so that many coincide. */
 const positions = fc
@@ -14,7 +14,9 @@ describe('weld', () => {
     fc.assert(
       fc.property(positions, (x) => {
         const count = x.length / 3;
-        const { positions: welded, vertexOfPosition } = weld(x, new Uint32Array());
+        const joined = weld(x, new Uint32Array());
+        const { vertexOfPosition } = joined;
+        const welded = gather(x, joined);
         const keys = Array.from({ length: count }, (_, p) => keyOf(x, p));
         const distinct = [...new Set(keys)];
         expect(Array.from({ length: welded.length / 3 }, (_, v) => keyOf(welded, v))).toEqual(distinct);
@@ -24,11 +26,11 @@ describe('weld', () => {
     );
   });
 
-  it('comes back through unweld, −0 as 0', () => {
+  it('comes back through gather and spread, −0 as 0', () => {
     fc.assert(
       fc.property(positions, (x) => {
-        const { positions: welded, vertexOfPosition } = weld(x, new Uint32Array());
-        expect(unweld(welded, vertexOfPosition).map((v) => v + 0)).toEqual(x.map((v) => v + 0));
+        const joined = weld(x, new Uint32Array());
+        expect(spread(gather(x, joined), joined).map((v) => v + 0)).toEqual(x.map((v) => v + 0));
       }),
       { seed: 7 },
     );
@@ -42,6 +44,17 @@ describe('weld', () => {
   });
 
   it('keeps NaNs apart', () => {
-    expect(weld(new Float64Array(6).fill(Number.NaN), new Uint32Array()).positions).toHaveLength(6);
+    expect(weld(new Float64Array(6).fill(Number.NaN), new Uint32Array()).positionOfVertex).toHaveLength(2);
+  });
+
+  it('is carried on by what steps make of a mesh: what they bring together stays apart', () => {
+    const mesh = {
+      positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0),
+      triangles: Uint32Array.of(0, 1, 2, 3, 2, 1),
+    };
+    const collapsed = movedMesh(mesh, new Float64Array(12));
+    expect(Array.from(weldOf(collapsed).vertexOfPosition)).toEqual([0, 1, 2, 0]);
+    expect(weldOf(collapsed)).toBe(weldOf(mesh));
+    expect(weldOf(movedMesh(collapsed, mesh.positions))).toBe(weldOf(mesh));
   });
 });

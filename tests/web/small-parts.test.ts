@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
+import { remarks } from '../../src/mesh/report-sentences.ts';
 import type { NumberParameter } from '../../src/methods/descriptor.ts';
 import { methods } from '../../src/methods/registry.ts';
+import { startingLambda } from '../../src/methods/starting-lambda.ts';
 import { chooseMesh } from '../../web/app/choose-mesh.ts';
 import { commandLine, exportName, ownFormat } from '../../web/app/export.ts';
 import type { WhittleDocument } from '../../web/document/document.ts';
 import { offeredMethods } from '../../web/document/offered-methods.ts';
-import { startingLambda } from '../../web/document/starting-lambda.ts';
-import { remarksOn } from '../../web/panels/report.ts';
 import { fromTravel, toTravel, travel } from '../../web/panels/slider-scale.ts';
 import { curve } from '../../web/panels/sparkline.ts';
 
@@ -48,7 +48,7 @@ describe('the slider', () => {
 
 describe('names and commands', () => {
   it('names the export after file and method', () => {
-    expect(exportName(document, ownFormat(document))).toBe("Ann's rabbit-cubic.glb");
+    expect(exportName(document, ownFormat(document).ending)).toBe("Ann's rabbit-cubic.glb");
   });
 
   it('writes a command that a shell reads', () => {
@@ -89,8 +89,8 @@ describe('words about a mesh', () => {
   } as const;
 
   it('has none for a plain one and one for each oddity', () => {
-    expect(remarksOn(plain, false)).toEqual([]);
-    expect(remarksOn({ ...plain, components: 3, boundaryEdges: 12, nonManifoldEdges: 2 }, true)).toHaveLength(
+    expect(remarks(plain, false)).toEqual([]);
+    expect(remarks({ ...plain, components: 3, boundaryEdges: 12, nonManifoldEdges: 2 }, true)).toHaveLength(
       4,
     );
   });

@@ -1,4 +1,5 @@
 import { Quaternion } from 'three';
+import { type FormatInfo, fileNameEndings } from '../../src/io/index.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
 import type { Display } from '../document/display.ts';
@@ -7,7 +8,7 @@ import type { Beginning } from '../document/opening.ts';
 import type { Workspace } from '../document/workspace.ts';
 import type { Painter } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
-import { commandLine, exportName, type Format, ownFormat } from './export.ts';
+import { commandLine, exportName, ownFormat } from './export.ts';
 import type { PictureDesk } from './image-actions.ts';
 import { pictureEndings, pictureNames } from './read-image.ts';
 import { fetchSample, type Sample, samples } from './samples.ts';
@@ -116,12 +117,12 @@ export class Page {
     return this.#viewer?.onTurn(listener) ?? (() => {});
   }
 
-  async export(format?: Format): Promise<void> {
+  async export(format?: FormatInfo): Promise<void> {
     const { document } = this.store.state;
     if (!document) return;
     const chosen = format ?? ownFormat(document);
     const written = await this.workspace.write(chosen.id);
-    if (written) saveFile(new Blob([written.bytes]), exportName(written.document, chosen));
+    if (written) saveFile(new Blob([written.bytes]), exportName(written.document, chosen.ending));
   }
 
   async saveScreenshot(): Promise<void> {
@@ -129,10 +130,7 @@ export class Page {
     if (!document || !this.#viewer) return;
     const background = getComputedStyle(globalThis.document.body).backgroundColor;
     await this.#attempt(async () =>
-      saveFile(
-        await this.#viewer!.snapshot(background),
-        exportName(document, { id: 'png', extension: 'png', label: 'PNG' }),
-      ),
+      saveFile(await this.#viewer!.snapshot(background), exportName(document, '.png')),
     );
   }
 
@@ -169,7 +167,7 @@ export class Page {
   }
 }
 
-const meshEndings = '.obj,.stl,.ply,.off,.glb,.gltf';
+const meshEndings = fileNameEndings.join();
 
 function pickFiles(endings: string, take: (files: readonly File[]) => void): void {
   const input = document.createElement('input');

@@ -1,13 +1,14 @@
-import { usualShading } from '../document/offered-methods.ts';
+import { findMethod } from '../../src/methods/registry.ts';
 import type { Page } from './actions.ts';
 
 /** Shades the mesh as suits the method that is on, unless the person chose another way to look. */
 export function followMethod(page: Page): void {
   let method: string | undefined;
+  const usual = () => findMethod(method ?? '')?.shading ?? 'smooth';
   page.store.subscribe(({ document, look }) => {
     if (!document || document.method === method) return;
-    const isUntouched = look.shading === usualShading(method);
+    const isUntouched = look.shading === usual();
     method = document.method;
-    if (isUntouched) page.look({ shading: usualShading(method) });
+    if (isUntouched) page.look({ shading: usual() });
   });
 }

@@ -1,4 +1,5 @@
 import type { Mesh } from '../../src/mesh/mesh.ts';
+import type { Shading } from '../../src/viewer/viewer.ts';
 import type { WhittleDocument } from '../document/document.ts';
 import { emptyHistory, type History } from '../document/history.ts';
 import type { Overlay, OverlayName } from '../document/overlays/index.ts';
@@ -26,7 +27,6 @@ export interface Notice {
   readonly action?: { readonly label: string; readonly run: () => void };
 }
 
-export type Shading = 'smooth' | 'flat' | 'wire';
 export type Theme = 'auto' | 'light' | 'dark';
 
 /** How one looks at the document; never undone. */

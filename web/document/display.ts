@@ -1,3 +1,4 @@
+import { formatInfo } from '../../src/io/index.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { shownPositions, type WhittleDocument } from './document.ts';
 
@@ -35,7 +36,7 @@ export class Display {
     const fresh = this.#mesh !== document.mesh;
     this.#document = document;
     this.#mesh = document.mesh;
-    if (fresh) this.#canvas?.show(document.mesh, upOf(document.source.format));
+    if (fresh) this.#canvas?.show(document.mesh, formatInfo(document.source.format).up);
     if (!this.#comparing && (!fresh || document.result))
       this.#canvas?.update(shownPositions(document), fresh ? 0 : this.#glide());
   }
@@ -57,9 +58,4 @@ export class Display {
     const { mesh } = this.#document;
     this.#canvas?.update(on ? mesh.positions : shownPositions(this.#document), this.#glide() / 2);
   }
-}
-
-/** Printers' files have z up, nearly all else has y up. */
-function upOf(format: string): 'y' | 'z' {
-  return format.startsWith('stl') ? 'z' : 'y';
 }

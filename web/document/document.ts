@@ -1,4 +1,5 @@
 import type { Outcome, ReadResult, Solved } from '../../src/engine/protocol.ts';
+import type { Format } from '../../src/io/index.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
@@ -9,7 +10,7 @@ export interface Source {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly name: string;
   /** By the bytes: 'obj', 'glb', … */
-  readonly format: string;
+  readonly format: Format;
   /** The normal map that it has inside, for the pictures. */
   readonly normalMap?: ReadResult['normalMap'];
 }

@@ -4,15 +4,14 @@ import type {
   MethodDescriptor,
   NumberParameter,
   ParameterDescriptor,
+  ParameterValue,
   ParameterValues,
   StyleParameter,
 } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
-import type { Shading } from '../app/store.ts';
 import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
 import { laid, type Picture, startingRepeat } from './pictures.ts';
-import { startingLambda, startingRegularizer, startingStrength } from './starting-lambda.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;
@@ -57,11 +56,6 @@ export function styleOf(shaping: Shaping): ChosenStyle | null {
   return parameter ? shaping[parameter.name] : null;
 }
 
-/** How a method's results are looked at best: boxes and folded sheets by their faces. */
-export function usualShading(method: string | undefined): Shading {
-  return method === 'polycube' || method === 'developable' ? 'flat' : 'smooth';
-}
-
 /** Methods that make shape of a picture. */
 export function takesPicture(method: MethodDescriptor | undefined): boolean {
   return method?.parameters.some(({ kind }) => kind === 'relief') ?? false;
@@ -81,15 +75,10 @@ export function startingParameters(
   method: MethodDescriptor,
   { report, style, mesh, picture }: Pick<WhittleDocument, 'report' | 'style' | 'mesh' | 'picture'>,
 ): ParameterValues {
-  const values: Record<string, number | string | boolean> = {};
+  const values: Record<string, ParameterValue> = {};
   for (const parameter of editableParameters(method, picture)) values[parameter.name] = parameter.default;
   if (takesPicture(method)) return picture ? { ...values, repeat: startingRepeat(picture, mesh) } : values;
-  if (method.id === 'cubic') values.lambda = startingLambda(report.vertices);
-  if (method.id === 'analogy' && style) {
-    values.lambda = startingStrength(style.map);
-    values.regularizer = startingRegularizer(report, style.map);
-  }
-  return values;
+  return { ...values, ...method.startingValues?.({ report, style: style?.map ?? null }) };
 }
 
 /** What the engine gets. */

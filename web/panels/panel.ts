@@ -1,8 +1,9 @@
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
+import { formats } from '../../src/io/index.ts';
 import type { MethodDescriptor, StyleParameter } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
-import { exportName, formats, ownFormat } from '../app/export.ts';
+import { exportName, ownFormat } from '../app/export.ts';
 import type { WhittleDocument } from '../document/document.ts';
 import {
   type EditableParameter,
@@ -101,7 +102,7 @@ export class WhittlePanel extends PageElement {
     const own = ownFormat(document);
     const others = formats.map((format) => ({
       label: format.label,
-      about: `.${format.extension}`,
+      about: format.ending,
       run: () => void this.page.export(format),
     }));
     const command = {
@@ -111,8 +112,8 @@ export class WhittlePanel extends PageElement {
     };
     return html`
       <div class="home">
-        <button type="button" class="button primary" data-act="export" title="Export ${exportName(document, own)} (E)" @click=${() => void this.page.export()}>
-          ${icon('export')}<span>Export<span class="wide"> ${own.extension.toUpperCase()}</span></span>
+        <button type="button" class="button primary" data-act="export" title="Export ${exportName(document, own.ending)} (E)" @click=${() => void this.page.export()}>
+          ${icon('export')}<span>Export<span class="wide"> ${own.ending.slice(1).toUpperCase()}</span></span>
         </button>
         <whittle-menu label="Other ways to export" .face=${icon('down')} .items=${[...others, command]}></whittle-menu>
       </div>

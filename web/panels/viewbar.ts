@@ -1,5 +1,5 @@
 import { html } from 'lit';
-import type { Shading } from '../app/store.ts';
+import type { Shading } from '../../src/viewer/viewer.ts';
 import { type IconName, icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 

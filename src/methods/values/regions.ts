@@ -1,5 +1,5 @@
 import { WhittleError } from '../../mesh/failure.ts';
-import type { WeldedMesh } from '../../mesh/weld.ts';
+import type { Weld } from '../../mesh/weld.ts';
 import type { Regions } from '../descriptor.ts';
 
 /**
@@ -12,11 +12,11 @@ import type { Regions } from '../descriptor.ts';
 export function weldRegions(
   name: string,
   regions: Regions,
-  { vertexOfPosition, positions }: WeldedMesh,
+  { vertexOfPosition, positionOfVertex }: Weld,
 ): Float64Array {
   const count = vertexOfPosition.length;
   if (regions.length === 0) return new Float64Array();
-  const quaternions = new Float64Array((positions.length / 3) * 4);
+  const quaternions = new Float64Array(4 * positionOfVertex.length);
   const owners = new Map<number, { region: number; source: number }>();
   for (const [region, { vertices, orientation }] of regions.entries()) {
     for (const source of vertices) {

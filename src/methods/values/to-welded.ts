@@ -1,5 +1,5 @@
 import { WhittleError } from '../../mesh/failure.ts';
-import type { WeldedMesh } from '../../mesh/weld.ts';
+import type { Weld } from '../../mesh/weld.ts';
 import type {
   Directions,
   Handles,
@@ -18,11 +18,7 @@ type Point = Handles['targets'][number];
  * @throws WhittleError `bad-handles`, its element the source vertex: no such vertex, or two targets for one place;
  *   `bad-parameter`: more or fewer numbers than vertices, regions that overlap or name no vertex, or the mere name of a style, its directions or a picture
  */
-export function toWelded(
-  method: MethodDescriptor,
-  parameters: ParameterValues,
-  mesh: WeldedMesh,
-): ParameterValues {
+export function toWelded(method: MethodDescriptor, parameters: ParameterValues, mesh: Weld): ParameterValues {
   const welded = { ...parameters };
   for (const { name, kind } of method.parameters) {
     const value = parameters[name];
@@ -40,7 +36,7 @@ export function toWelded(
 function weldScalars(
   name: string,
   values: Scalars,
-  { vertexOfPosition, positions }: WeldedMesh,
+  { vertexOfPosition, positionOfVertex }: Weld,
 ): Float64Array {
   const count = vertexOfPosition.length;
   if (values.length === 0) return new Float64Array();
@@ -50,7 +46,7 @@ function weldScalars(
       `“${name}” has ${values.length} numbers, but the file has ${count} vertices; give one for each, in the file’s order.`,
     );
   }
-  const sums = new Float64Array(positions.length / 3);
+  const sums = new Float64Array(positionOfVertex.length);
   const visits = new Float64Array(sums.length);
   vertexOfPosition.forEach((vertex, position) => {
     sums[vertex]! += values[position]!;
@@ -68,7 +64,7 @@ function unresolved(name: string, value: string | Directions, thing: string, mak
 }
 
 /** Handles that say the same of the same place become one; positions that the file stores twice can only move together. */
-function weldHandles(name: string, { vertices, targets }: Handles, mesh: WeldedMesh): Handles {
+function weldHandles(name: string, { vertices, targets }: Handles, mesh: Weld): Handles {
   const handles = new Map<number, { source: number; target: Point }>();
   const count = mesh.vertexOfPosition.length;
   vertices.forEach((source, entry) => {

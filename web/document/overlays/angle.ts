@@ -1,9 +1,10 @@
 import { type GaussLookup, lookup } from '../../../src/inputs/styles/gauss-lookup.ts';
 import { findPrimitive, type Primitive } from '../../../src/inputs/styles/primitives.ts';
 import { dot, row } from '../../../src/mesh/vectors.ts';
+import { findMethod } from '../../../src/methods/registry.ts';
 import type { GaussMap } from '../../../src/methods/values/gauss-map.ts';
 import { shownPositions, type WhittleDocument } from '../document.ts';
-import { styleOf } from '../offered-methods.ts';
+import { styleOf, styleParameter } from '../offered-methods.ts';
 import type { Measure, Overlay } from './overlay.ts';
 import { mean, quantile } from './statistics.ts';
 import { surveyOf } from './survey.ts';
@@ -15,15 +16,15 @@ interface Targets {
   readonly follow: boolean;
 }
 
-/** The one place that knows it of every method. The cubic one carves without a Gauss map, but its solid has one. */
+/** What the method's descriptor names: a style that was chosen, or by its name a solid of ours. */
 function targetsOf(document: WhittleDocument): Targets | null {
-  const { method, parameters } = document;
-  if (method === 'cubic') {
-    const solid = findPrimitive(String(parameters.polyhedron ?? 'cube'));
-    return solid ? { map: mapOf(solid), follow: true } : null;
-  }
-  const style = styleOf(document);
-  return style && { map: style.map, follow: method === 'polycube' || parameters.dynamicTargets === true };
+  const { parameters } = document;
+  const method = findMethod(document.method);
+  const targets = method?.targets?.(parameters);
+  if (!targets) return null;
+  const solid = findPrimitive(String(parameters[targets.style] ?? 'cube'));
+  const map = styleParameter(method) ? styleOf(document)?.map : solid && mapOf(solid);
+  return map ? { map, follow: targets.lookedUpFrom === 'output' } : null;
 }
 
 const maps = new WeakMap<Primitive, GaussMap>();

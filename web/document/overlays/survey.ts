@@ -1,7 +1,7 @@
 import { ringAreas } from '../../../src/mesh/areas.ts';
 import { gaussianCurvature, type Rings, ringsOf } from '../../../src/mesh/curvature.ts';
 import type { Mesh } from '../../../src/mesh/mesh.ts';
-import { weld } from '../../../src/mesh/weld.ts';
+import { gather, type Weld, weldOf } from '../../../src/mesh/weld.ts';
 import { NormalWriter } from '../../../src/viewer/normals.ts';
 
 const surveys = new WeakMap<Mesh, Survey>();
@@ -22,18 +22,16 @@ export class Survey {
   readonly #mesh: Mesh;
   readonly #rings: Rings;
   readonly #normals: NormalWriter;
-  readonly #welded: Float64Array;
-  readonly #weldedTriangles: Uint32Array;
+  readonly #weld: Weld;
   /** Of the file's own shape, which is asked for again and again. */
   readonly #own = new Map<string, Float32Array | Float64Array>();
 
   constructor(mesh: Mesh) {
-    const { positions, triangles, vertexOfPosition } = weld(mesh.positions, mesh.triangles);
-    const vertices = positions.length / 3;
+    this.#weld = weldOf(mesh);
+    const { triangles, vertexOfPosition, positionOfVertex } = this.#weld;
+    const vertices = positionOfVertex.length;
     this.#mesh = mesh;
     this.vertexOfPosition = vertexOfPosition;
-    this.#welded = positions;
-    this.#weldedTriangles = triangles;
     this.#rings = ringsOf(triangles, vertices);
     this.#normals = new NormalWriter(mesh.triangles, triangles, vertexOfPosition, vertices);
   }
@@ -53,7 +51,7 @@ export class Survey {
   /** Gaussian curvature, #V, see {@link gaussianCurvature}. */
   curvature(positions: Float64Array): Float64Array {
     return this.#remembered('curvature', positions, () =>
-      gaussianCurvature(this.#gather(positions), this.#rings),
+      gaussianCurvature(gather(positions, this.#weld), this.#rings),
     );
   }
 
@@ -65,7 +63,7 @@ export class Survey {
   /** Area of the faces around each vertex, #V. */
   ringAreas(positions: Float64Array): Float64Array {
     return this.#remembered('areas', positions, () =>
-      ringAreas(this.#gather(positions), this.#weldedTriangles),
+      ringAreas(gather(positions, this.#weld), this.#weld.triangles),
     );
   }
 
@@ -74,16 +72,6 @@ export class Survey {
     const spread = new Float32Array(this.vertexOfPosition.length);
     for (let p = 0; p < spread.length; p++) spread[p] = values[this.vertexOfPosition[p]!]!;
     return spread;
-  }
-
-  #gather(positions: Float64Array): Float64Array {
-    if (positions === this.#mesh.positions) return this.#welded;
-    const gathered = new Float64Array(this.#welded.length);
-    for (let p = 0; p < this.vertexOfPosition.length; p++) {
-      const v = 3 * this.vertexOfPosition[p]!;
-      for (let axis = 0; axis < 3; axis++) gathered[v + axis] = positions[3 * p + axis]!;
-    }
-    return gathered;
   }
 
   #remembered<T extends Float32Array | Float64Array>(

@@ -1,5 +1,5 @@
-import type { MeshReport } from '../../src/mesh/mesh.ts';
-import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
+import type { MeshReport } from '../mesh/mesh.ts';
+import type { GaussMap } from './values/gauss-map.ts';
 
 /** A mesh of this many vertices looks right at {@link usualLambda}. */
 const usualVertices = 7500;

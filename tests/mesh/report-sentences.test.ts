@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { warningsOf } from '../../src/engine/warnings.ts';
 import type { MeshReport } from '../../src/mesh/mesh.ts';
+import { oddities } from '../../src/mesh/report-sentences.ts';
 
 const sound: MeshReport = {
   vertices: 8,
@@ -16,7 +16,7 @@ const sound: MeshReport = {
 };
 
 test('holes and several parts are no cause for a warning', () => {
-  expect(warningsOf(sound)).toEqual([]);
+  expect(oddities(sound)).toEqual([]);
 });
 
 test.each([
@@ -26,7 +26,7 @@ test.each([
   [{ duplicateFaces: 1 }, '1 face repeats another'],
   [{ nonManifoldEdges: 5 }, '5 edges join three faces or more'],
 ])('%o is told in one sentence', (odd, beginning) => {
-  const [sentence, ...others] = warningsOf({ ...sound, ...odd });
+  const [sentence, ...others] = oddities({ ...sound, ...odd });
   expect(sentence).toMatch(new RegExp(`^${beginning}.*\\.$`));
   expect(others).toEqual([]);
 });
