@@ -17,12 +17,14 @@ const typescriptArrows: Record<string, string[]> = {
 
 const coreArrows: Record<string, string[]> = {
   base: [],
+  simd: ['base'],
   mesh: ['base'],
-  geometry: ['mesh', 'base'],
-  linear: ['base'],
-  constraints: ['mesh', 'base'],
-  methods: ['constraints', 'linear', 'geometry', 'mesh', 'base'],
-  session: ['methods', 'constraints', 'mesh', 'base'],
+  geometry: ['mesh', 'simd', 'base'],
+  linear: ['simd', 'base'],
+  targets: ['geometry', 'mesh', 'simd', 'base'],
+  constraints: ['mesh', 'simd', 'base'],
+  methods: ['constraints', 'targets', 'linear', 'geometry', 'mesh', 'simd', 'base'],
+  session: ['methods', 'constraints', 'targets', 'mesh', 'base'],
 };
 
 function filesBelow(folder: string, ending: RegExp): string[] {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/plain_local_global.h"
 #include "session/session.h"
-#include "yardstick/plain_local_global.h"
 
 namespace whittle::bench {
 

@@ -7,7 +7,7 @@ const programs = [
   'wasm/build/native-bench/bench/whittle-bench',
   'wasm/build/wasm-bench/bench/whittle-bench.cjs',
 ];
-const testSources = [...sources, 'wasm/yardstick', 'tests/core'];
+const testSources = [...sources, 'wasm/reference', 'tests/core'];
 
 /** Builds the wasm module into wasm/dist. */
 export function buildWasm() {
@@ -38,7 +38,7 @@ export function buildTests() {
 /** Builds the benchmark program: natively for this very processor, and as wasm for Node. */
 export function buildBenchmark() {
   const compilers = ['c++', 'em++'].map((name) => probe(name)?.split('\n')[0]).join();
-  const state = fingerprint([...sources, 'wasm/yardstick', 'wasm/bench'], compilers);
+  const state = fingerprint([...sources, 'wasm/reference', 'wasm/bench'], compilers);
   if (programs.every(existsSync) && isFresh('bench', state)) return;
   const native = ['-DWHITTLE_BENCH=ON', '-DCMAKE_CXX_FLAGS=-O3 -march=native'];
   const wasm = ['-DWHITTLE_BENCH=ON'];

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "geometry/gauss_map.h"
 #include "session/session.h"
+#include "targets/gauss_map.h"
 
 namespace whittle::testing {
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/cotangent.h"
 #include "geometry/surface.h"
 
 namespace whittle::testing {
@@ -65,6 +66,11 @@ Scalars angleDefects(const Points& positions, const Triangles& triangles) {
     if (faces.size() == 1) defects[edge.first] = defects[edge.second] = 0;
   }
   return defects;
+}
+
+Eigen::MatrixXd denseLaplacian(const TriangleMesh& mesh) {
+  const SparseMatrix lower = cotangentLaplacian(mesh.triangles, halfCotangents(mesh.positions, mesh.triangles), mesh.vertexCount());
+  return SparseMatrix(lower.selfadjointView<Eigen::Lower>());
 }
 
 }  // namespace whittle::testing

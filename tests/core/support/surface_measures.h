@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/types.h"
+#include "mesh/triangle_mesh.h"
 
 namespace whittle::testing {
 
@@ -15,5 +15,8 @@ double shareWithin(double degrees, const Points& directions, const Points& posit
 
 /// Gaussian curvature gathered at each vertex, 2π − Σ angles, #V; zero at the rim.
 Scalars angleDefects(const Points& positions, const Triangles& triangles);
+
+/// The whole cotangent Laplacian as a dense matrix, #V×#V.
+Eigen::MatrixXd denseLaplacian(const TriangleMesh& mesh);
 
 }  // namespace whittle::testing

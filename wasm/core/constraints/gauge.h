@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "base/lanes.h"
 #include "mesh/adjacency.h"
+#include "simd/lanes.h"
 
 namespace whittle {
 

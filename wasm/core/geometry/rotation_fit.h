@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/lane_algebra.h"
+#include "simd/lane_algebra.h"
 
 namespace whittle {
 

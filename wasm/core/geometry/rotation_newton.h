@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "geometry/lane_algebra.h"
+#include "simd/lane_algebra.h"
 
 namespace whittle {
 

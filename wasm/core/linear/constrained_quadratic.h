@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "base/lanes.h"
 #include "linear/sparse_cholesky.h"
+#include "simd/lanes.h"
 
 namespace whittle {
 

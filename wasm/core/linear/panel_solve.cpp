@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/lanes.h"
+#include "simd/lanes.h"
 
 namespace whittle {
 

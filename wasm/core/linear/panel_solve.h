@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/lanes.h"
 #include "base/types.h"
+#include "simd/lanes.h"
 
 namespace whittle {
 

@@ -7,8 +7,8 @@
 
 #include "base/status.h"
 #include "constraints/handles.h"
-#include "geometry/gauss_map.h"
-#include "geometry/relief.h"
+#include "targets/gauss_map.h"
+#include "targets/texture_normals.h"
 
 namespace whittle {
 

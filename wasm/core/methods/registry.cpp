@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "methods/local_global/arap.h"
-#include "methods/local_global/cubic.h"
-#include "methods/local_global/developable.h"
-#include "methods/local_global/normal_driven.h"
-#include "methods/local_global/normal_map.h"
+#include "methods/local_global/cubic/cubic.h"
+#include "methods/local_global/normal_driven/analogy.h"
+#include "methods/local_global/normal_driven/developable.h"
+#include "methods/local_global/normal_driven/normal_map.h"
 #include "methods/polycube/polycube.h"
 #include "methods/spherical/conformal_flow.h"
 

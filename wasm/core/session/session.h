@@ -6,8 +6,8 @@
 
 #include "mesh/unit_frame.h"
 #include "mesh/validate.h"
-#include "methods/numbering.h"
 #include "methods/registry.h"
+#include "methods/vertex_order.h"
 
 namespace whittle {
 

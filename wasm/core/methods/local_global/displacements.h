@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/stiff_edges.h"
+#include "methods/local_global/edges/stiff_edges.h"
 
 namespace whittle {
 

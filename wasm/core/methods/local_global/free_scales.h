@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/edge_set.h"
+#include "methods/local_global/edges/edge_set.h"
 
 namespace whittle {
 

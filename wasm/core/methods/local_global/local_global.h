@@ -8,8 +8,8 @@
 #include "methods/local_global/acceleration.h"
 #include "methods/local_global/free_scales.h"
 #include "methods/local_global/local_step.h"
-#include "methods/local_global/stopping_rule.h"
 #include "methods/method.h"
+#include "methods/stopping_rule.h"
 
 namespace whittle {
 

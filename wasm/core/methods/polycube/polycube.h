@@ -6,9 +6,9 @@
 #include "constraints/gauge.h"
 #include "geometry/cotangent.h"
 #include "linear/sparse_cholesky.h"
-#include "methods/local_global/stopping_rule.h"
 #include "methods/method.h"
 #include "methods/polycube/ring_smoothing.h"
+#include "methods/stopping_rule.h"
 
 namespace whittle {
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "methods/local_global/cubic/cubic_solver.h"
+#include "methods/local_global/cubic/polyhedron.h"
+#include "methods/local_global/cubic/style_frames.h"
+#include "methods/local_global/local_step.h"
+#include "methods/method.h"
+
+namespace whittle {
+
+/// The local step of Cubic Stylization (2019, §3.1 and §4): max_R tr(R M) − λ a |B Qᵀ R n|₁ at every vertex, exactly or by the
+/// printed ADMM, with B the cube, a box of other weights on each axis or any polyhedron, and a frame Q. Without cubeness or
+/// without a normal it is the plain fit.
+class CubicLocalStep : public LocalStep {
+ public:
+  /// Fails with `badParameter` where axes of different weight meet a polyhedron that has no axes.
+  Status prepare(const RestShape& rest, const Settings& settings) override;
+  void begin() override { solver_->begin(weights_.size()); }
+  Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
+
+ private:
+  void prepareVertices(const RestShape& rest, const Settings& settings);
+  Status prepareStyle(const Settings& settings);
+  /// The step in the vertices' frames.
+  Lanes solve(std::size_t batch, const MatrixLanes& M, bool neverWorse, QuaternionLanes& rotations);
+
+  std::vector<VectorLanes> normals_;  // of the rest shape, zero where there is none
+  std::vector<Lanes> weights_;        // κ = λ a_i
+  Polyhedron polyhedron_;
+  Vec3 axes_;  // what the solver takes κ times on each axis, where it does not know the polyhedron
+  StyleFrames frames_;
+  std::unique_ptr<CubicSolver> solver_;
+};
+
+/// Registry line of the method `cubic`.
+MethodInfo cubicMethod();
+
+}  // namespace whittle

@@ -1,0 +1,143 @@
+#include "methods/local_global/cubic/cubic_exact.h"
+
+#include <array>
+#include <cmath>
+
+#include "geometry/rotation_fit.h"
+#include "geometry/rotation_newton.h"
+#include "methods/local_global/cubic/cubic_search.h"
+
+namespace whittle {
+
+namespace {
+
+constexpr int kMaxNewtonSteps = 20;
+constexpr double kLongestTurn = 0.7;  // radians; the model holds no further
+constexpr double kConverged = 1e-12;  // |w|², about the error that the step leaves; the certificate looks at it again
+constexpr double kKink = 0.25;        // share of u that decides whether a coordinate of R n stays at zero
+constexpr double kRounding = 1e-9;
+
+/// Which coordinates of s = R n are held at zero, where |s_j| has its kink and u_j is free.
+using Kinks = std::array<bool, 3>;
+
+/// The active set of u = clamp(u + s / kKink), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the sign.
+Kinks activeKinks(const Vec3& s, const Vec3& weights, Vec3& u) {
+  const Vec3 shifted = s + kKink * u;
+  Index largest;
+  s.cwiseAbs().maxCoeff(&largest);  // s is of unit length: not all of it can be zero
+  Kinks kinks;
+  for (Index j = 0; j < 3; ++j) {
+    kinks[j] = std::abs(shifted[j]) <= kKink && j != largest && weights[j] > 0;
+    if (!kinks[j]) u[j] = std::copysign(1.0, j == largest ? s[j] : shifted[j]);
+  }
+  return kinks;
+}
+
+/// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns). Fails where the
+/// model has no maximum on the tangent space.
+bool newtonStep(const RotationModel& model, const Vec3& s, const Kinks& kinks, const Vec3& weights, Vec3& w, Vec3& mu) {
+  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent space.
+  Mat3 H = model.H;
+  Vec3 g = model.g;
+  std::array<Vec3, 2> c;
+  std::array<Index, 2> at{};
+  int count = 0;
+  for (Index j = 0; j < 3; ++j) {
+    if (!kinks[j]) continue;
+    c[count] = s.cross(Vec3::Unit(j));
+    at[count] = j;
+    H += weights[j] * c[count] * c[count].transpose();
+    g -= weights[j] * s[j] * c[count];
+    ++count;
+  }
+  if (!isPositiveDefinite(H)) return false;
+  const Mat3 inverse = H.inverse();
+  w = inverse * g;
+  mu.setZero();
+  if (count == 1) {
+    const Vec3 d = inverse * c[0];
+    mu[at[0]] = (c[0].dot(w) + s[at[0]]) / c[0].dot(d);
+    w -= mu[at[0]] * d;
+  } else if (count == 2) {
+    const Vec3 d0 = inverse * c[0], d1 = inverse * c[1];
+    const double a = c[0].dot(d0), b = c[0].dot(d1), e = c[1].dot(d1);
+    const double first = c[0].dot(w) + s[at[0]], second = c[1].dot(w) + s[at[1]];
+    const double determinant = a * e - b * b;
+    if (!(determinant > kRounding * a * e)) return false;
+    mu[at[0]] = (e * first - b * second) / determinant;
+    mu[at[1]] = (a * second - b * first) / determinant;
+    w -= mu[at[0]] * d0 + mu[at[1]] * d1;
+  }
+  return true;
+}
+
+/// Whether u ∈ ∂|s|₁ but for rounding, and R maximises tr(R (M − κ n uᵀ)).
+bool isCertified(const CubicVertex& vertex, const Vec3& u, const Mat3& R) {
+  const Vec3 s = R * vertex.n;
+  if (u.lpNorm<Eigen::Infinity>() > 1 + kRounding || s.lpNorm<1>() - u.dot(s) > kRounding) return false;
+  const RotationModel model(R * vertex.pulled(u));
+  return isPositiveDefinite(model.H) && model.g.norm() <= kRounding * model.H.trace();
+}
+
+bool climb(const CubicVertex& vertex, Vec3& u, Mat3& R) {
+  for (int step = 0; step < kMaxNewtonSteps; ++step) {
+    const Vec3 s = R * vertex.n;
+    const Kinks kinks = activeKinks(s, vertex.weights, u);
+    const RotationModel model(R * vertex.pulled(u));
+    Vec3 w, mu;
+    if (!newtonStep(model, s, kinks, vertex.weights, w, mu)) return false;
+    const double turn = w.norm();
+    const double share = turn > kLongestTurn ? kLongestTurn / turn : 1;
+    R = cayley(share * w) * R;
+    for (Index j = 0; j < 3; ++j) {
+      if (kinks[j]) u[j] += share * mu[j] / vertex.weights[j];
+    }
+    // A wrong active set can be at rest too; the next step then changes it.
+    if (turn * turn < kConverged && isCertified(vertex, u, R)) {
+      R = orthonormalized(R);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool CubicExact::solveCertified(const CubicVertex& vertex, Vec3& u, Mat3& R) {
+  const Mat3 before = R;
+  if (climb(vertex, u, R)) return true;
+
+  // From the dual's side: any u in the cube has a rotation where the model has its maximum.
+  u = (u.allFinite() ? u : Vec3(before * vertex.n)).cwiseMax(-1).cwiseMin(1);
+  R = fitRotation(vertex.pulled(u), before);
+  if (climb(vertex, u, R)) return true;
+
+  R = searchCubic(PolyhedralVertex(vertex), before);
+  u = (R * vertex.n).unaryExpr([](double s) { return std::abs(s) < kRounding ? 0 : std::copysign(1.0, s); });
+  return false;
+}
+
+Lanes CubicExact::solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) {
+  VectorLanes& u = subgradients_[batch];
+  const VectorLanes uBefore = u;
+  const QuaternionLanes before = rotations;
+  auto [regularizers, certified] = climbLanes(vertices, u, rotations);
+  if (all(certified)) return regularizers;
+  for (int lane = 0; lane < 4; ++lane) {
+    if (certified[lane]) continue;
+    const CubicVertex vertex = vertexAt(vertices, lane);
+    Mat3 R = rotationAt(before, lane);
+    Vec3 subgradient = vectorAt(uBefore, lane);
+    if (vertex.weights.isZero(0)) {
+      R = fitRotation(vertex.M);
+    } else {
+      solveCertified(vertex, subgradient, R);
+    }
+    setRotation(rotations, lane, R);
+    setVector(u, lane, subgradient);
+    regularizers[lane] = static_cast<float>(vertex.regularizer(R * vertex.n));
+  }
+  return regularizers;
+}
+
+}  // namespace whittle

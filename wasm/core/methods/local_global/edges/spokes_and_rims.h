@@ -1,0 +1,31 @@
+#pragma once
+
+#include "methods/local_global/edges/edge_set.h"
+
+namespace whittle {
+
+/// Spokes and rims in ring form: Ĝ_kj = ⅓ Σ g_fj over the faces f that k and j share, so that M′_k = 6 Σ_j Ĝ_kj (δ_j − δ_k)ᵀ and
+/// b_j = Σ_k R_k Ĝ_kj, over the ring of each vertex.
+class VertexRings : public EdgeSet {
+ public:
+  VertexRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
+
+  int visits() const override { return 3; }  // those of the corners of each face
+  double gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
+                           LaneRows& residual) const override;
+  void addTurned(const MatrixLanes* turns, ElementRange range, LaneRows& residual) const override;
+
+ private:
+  /// One neighbour j of each of four vertices k. Where a ring is at its end before the others, k itself with zeros. Ĝ_kj is never longer
+  /// than the edges around it.
+  struct Spokes {
+    VectorLanes gradients;  // Ĝ_kj
+    Lanes weights;          // w_kj = Σ c, as in the Laplacian; zero of stiff edges
+    RowIndices neighbours;  // j
+  };
+
+  std::vector<Index> start_;  // #batches + 1, into `spokes_`
+  std::vector<Spokes> spokes_;
+};
+
+}  // namespace whittle
