@@ -1,5 +1,5 @@
 import type { MeshReport } from '../mesh/mesh.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
+import type { EncodedValues } from './encode.ts';
 import type { Outcome } from './protocol.ts';
 
 /** What one step of a session says. */
@@ -15,9 +15,8 @@ export interface Step {
 export interface CoreSession {
   /** Validates and takes a welded mesh (#V×3, #F×3); forgets all that was there. */
   load(positions: Float64Array, triangles: Uint32Array): MeshReport;
-  /** Chooses a method and its parameters (absent: default); handles, numbers and quaternions (x y z w) by vertex are those of
-   *  welded vertices, a style is a Gauss map, a picture a relief. Keeps the current positions. */
-  configure(method: string, parameters: ParameterValues): void;
+  /** Chooses a method and the values of its parameters (absent: default). Keeps the current positions. */
+  configure(method: string, values: EncodedValues): void;
   /** Goes back to the rest positions. */
   restart(): void;
   /** Computes what the parameters made stale and starts a run from the current positions. */

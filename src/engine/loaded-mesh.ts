@@ -1,8 +1,8 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { gather, spread, type Weld, weldOf } from '../mesh/weld.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
 import type { Core, CoreSession, Step } from './core-api.ts';
+import type { EncodedValues } from './encode.ts';
 import { inCore } from './trap.ts';
 
 /**
@@ -33,10 +33,9 @@ export class LoadedMesh {
     }
   }
 
-  /** Handles already name welded vertices. */
-  prepare(method: string, parameters: ParameterValues, fromRest: boolean): void {
+  prepare(method: string, values: EncodedValues, fromRest: boolean): void {
     this.#call(() => {
-      this.#session.configure(method, parameters);
+      this.#session.configure(method, values);
       if (fromRest) this.#session.restart();
       this.#session.prepare();
     });

@@ -1,7 +1,7 @@
 import type { Format } from '../io/index.ts';
 import type { Failure } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
 
 /** How a run ended. A cancelled (or superseded) run keeps what it has. */
 export type Outcome = 'converged' | 'iteration-limit' | 'stalled' | 'cancelled';

@@ -11,7 +11,7 @@ export const normalmap: MethodDescriptor = {
   parameters: [
     {
       name: 'image',
-      kind: 'relief',
+      kind: 'textureSlopes',
       label: 'Picture',
       doc: 'A PNG, laid on the mesh by its texture coordinates, or a pattern of ours: weave, scales, hammered. A glTF may bring its own.',
       invalidates: 'weights',

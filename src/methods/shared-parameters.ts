@@ -1,10 +1,8 @@
-import type {
-  ChoiceParameter,
-  HandlesParameter,
-  NumberParameter,
-  ParameterDescriptor,
-  ScalarsParameter,
-} from './descriptor.ts';
+import type { ChoiceParameter } from './values/choice.ts';
+import type { HandlesParameter } from './values/handles.ts';
+import type { ParameterDescriptor } from './values/index.ts';
+import type { NumberParameter } from './values/number.ts';
+import type { ScalarsParameter } from './values/scalars.ts';
 
 export const handles: HandlesParameter = {
   name: 'handles',

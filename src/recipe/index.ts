@@ -1,2 +1,10 @@
-export { isObject, parseJson } from './json.ts';
 export { formatRecipe, parseRecipe, type Recipe, type RecipeStep } from './recipe.ts';
+export { type Asset, Resolver, type Surroundings, type TexturedMesh } from './resolve.ts';
+export {
+  type RecipeRun,
+  type RunOptions,
+  runRecipe,
+  runStep,
+  type StepOptions,
+  type StepRun,
+} from './run.ts';

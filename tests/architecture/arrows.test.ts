@@ -8,10 +8,10 @@ const typescriptArrows: Record<string, string[]> = {
   'src/methods': ['src/mesh'],
   'src/inputs': ['src/io', 'src/methods', 'src/mesh'],
   'src/io': ['src/mesh'],
-  'src/recipe': ['src/methods', 'src/mesh'],
+  'src/recipe': ['src/inputs', 'src/engine', 'src/methods', 'src/mesh'],
   'src/engine': ['src/io', 'src/methods', 'src/mesh', 'wasm/dist'],
   'src/viewer': ['src/mesh'],
-  'src/cli': ['src/engine', 'src/recipe', 'src/io', 'src/inputs', 'src/methods', 'src/mesh'],
+  'src/cli': ['src/recipe', 'src/engine', 'src/io', 'src/methods', 'src/mesh'],
   web: ['src/engine', 'src/viewer', 'src/recipe', 'src/inputs', 'src/methods', 'src/mesh', 'src/io'],
 };
 

@@ -2,8 +2,8 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'vite';
 import type { Core, CoreSession } from '../../src/engine/core-api.ts';
 import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import { testCore } from '../fixtures/core.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
+import { configure, testCore } from '../fixtures/core.ts';
 import type { TestMesh } from '../fixtures/meshes.ts';
 import { markdownTable, percent, withSpread } from './numbers.ts';
 import { type ComparedMethod, isCompared, type Options, type Size } from './options.ts';
@@ -122,7 +122,7 @@ function turnedEnd({ positions }: TestMesh): { vertices: number[]; targets: [num
 function open(core: Core, mesh: TestMesh, method: ComparedMethod, parameters: ParameterValues): CoreSession {
   const session = core.open();
   session.load(mesh.positions, mesh.triangles);
-  session.configure(method, parameters);
+  configure(session, mesh, method, parameters);
   return session;
 }
 

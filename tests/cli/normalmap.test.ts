@@ -100,7 +100,7 @@ test('a mesh that is too coarse for the picture is told so', async () => {
 });
 
 test.each([
-  ['in.obj', '', /normalmap.*needs a picture/],
+  ['in.obj', '', /normalmap.*needs an image/],
   ['in.obj', '--image waeve', /There is no pattern “waeve”. There is: weave, scales, hammered/],
   ['in.obj', '--image @none.png', /none.png: there is no such file/],
   ['in.obj', '--image @fake.png', /fake.png is not a PNG/],

@@ -2,7 +2,7 @@ import { afterEach, expect, test } from 'vitest';
 import { createEngine, type Engine } from '../../src/engine/client.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
 import { FakeCore, type FakeOptions, failLambda, fakeServices, tetrahedron } from './fake-core.ts';
 
 let engine: Engine;
@@ -79,7 +79,8 @@ test('handles are given in file numbering', async () => {
     targets: [[1, 1, 1] as const, [2, 2, 2] as const, [1, 1, 1] as const],
   };
   const solved = await engine.solve(tetrahedron(), settings({ handles }, { method: 'arap' }));
-  expect(core.handles).toEqual([{ vertices: [0, 3], targets: [[1, 1, 1], [2, 2, 2]] }]); // biome-ignore format: pairs
+  expect([...core.handles[0]!.indices]).toEqual([0, 3]);
+  expect([...core.handles[0]!.numbers]).toEqual([1, 1, 1, 2, 2, 2]);
   expect(solved.positions[6]).toBeCloseTo(1, 2);
   expect(solved.positions[12]).toBeCloseTo(2, 2);
 });

@@ -1,8 +1,9 @@
 import type { Core, CoreSession, Step } from '../../src/engine/core-api.ts';
+import type { EncodedValues } from '../../src/engine/encode.ts';
 import type { Services } from '../../src/engine/services.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
-import type { Handles, ParameterValues } from '../../src/methods/descriptor.ts';
+import type { Encoded } from '../../src/methods/values/parameter.ts';
 
 /** Values of `lambda` that make the fake core misbehave at its third step. */
 export const trapLambda = 66;
@@ -21,7 +22,7 @@ export interface FakeOptions {
  */
 export class FakeCore implements Core {
   readonly log: string[] = [];
-  readonly handles: (Handles | undefined)[] = [];
+  readonly handles: (Encoded | undefined)[] = [];
   steps = 0;
   opened = 0;
   freed = 0;
@@ -50,7 +51,7 @@ class FakeSession implements CoreSession {
   #rest = new Float64Array();
   #current = new Float64Array();
   #target = new Float64Array();
-  #parameters: ParameterValues = {};
+  #values: EncodedValues = new Map();
   #iteration = 0;
 
   constructor(core: FakeCore) {
@@ -73,15 +74,15 @@ class FakeSession implements CoreSession {
     };
   }
 
-  configure(method: string, parameters: ParameterValues): void {
-    const handles = parameters.handles as Handles | undefined;
+  configure(method: string, values: EncodedValues): void {
+    const handles = values.get('handles');
     this.#core.log.push(`configure ${method}`);
     this.#core.handles.push(handles);
-    this.#parameters = parameters;
+    this.#values = values;
     this.#iteration = 0;
     this.#target = this.#rest.map((coordinate) => coordinate / 2);
-    handles?.vertices.forEach((vertex, entry) => {
-      this.#target.set(handles.targets[entry]!, 3 * vertex);
+    handles?.indices.forEach((vertex, entry) => {
+      this.#target.set(handles.numbers.subarray(3 * entry, 3 * entry + 3), 3 * vertex);
     });
   }
 
@@ -100,7 +101,9 @@ class FakeSession implements CoreSession {
     const until = performance.now() + (this.#core.options.stepMilliseconds ?? 0);
     this.#core.steps++;
     this.#iteration++;
-    const { lambda, maxIterations, tolerance } = this.#parameters as Record<string, number | undefined>;
+    const [lambda, maxIterations, tolerance] = ['lambda', 'maxIterations', 'tolerance'].map(
+      (name) => this.#values.get(name)?.numbers[0],
+    );
     if (this.#iteration === 3 && lambda === trapLambda) throw new WebAssembly.RuntimeError('unreachable');
     if (this.#iteration === 3 && lambda === failLambda) {
       this.#current.fill(Number.NaN);

@@ -3,7 +3,7 @@ import { findPattern, patternIds } from '../../src/inputs/images/patterns.ts';
 import { Pyramid } from '../../src/inputs/images/pyramid.ts';
 import { shaded } from '../../src/inputs/images/shade.ts';
 import { heightOfWhite, type Texture, textureOf } from '../../src/inputs/images/texture.ts';
-import { legibility, reliefOf, tilesAlong, tooFine } from '../../src/inputs/images/texture-slopes.ts';
+import { legibility, textureSlopesOf, tilesAlong, tooFine } from '../../src/inputs/images/texture-slopes.ts';
 import { normalMap, paint, plate } from '../fixtures/textured.ts';
 
 const slopesAt = (texture: Texture, i: number, j: number) => [
@@ -121,7 +121,7 @@ describe('on a mesh', () => {
       'stripes',
     );
     const largest = (n: number) =>
-      reliefOf(stripes, plate(n)).slopes.reduce((a, b) => Math.max(a, Math.abs(b)), 0);
+      textureSlopesOf(stripes, plate(n)).slopes.reduce((a, b) => Math.max(a, Math.abs(b)), 0);
     expect(largest(9)).toBeLessThan(0.05);
     expect(largest(256)).toBeGreaterThan(0.6);
     const coarse = legibility(stripes, plate(9));
@@ -137,7 +137,9 @@ describe('on a mesh', () => {
     );
     const mesh = plate(17);
     const twice = { uvs: mesh.uvs.map((x) => 2 * x) };
-    expect(reliefOf(texture, mesh, { repeat: 2 }).slopes).toEqual(reliefOf(texture, twice).slopes);
+    expect(textureSlopesOf(texture, mesh, { repeat: 2 }).slopes).toEqual(
+      textureSlopesOf(texture, twice).slopes,
+    );
     expect(tilesAlong(mesh)).toBeCloseTo(Math.SQRT2, 6);
     expect(tilesAlong({ ...mesh, ...twice })).toBeCloseTo(2 * Math.SQRT2, 6);
   });
@@ -149,10 +151,10 @@ describe('on a mesh', () => {
     );
     const mesh = plate(3);
     mesh.uvs.fill(Number.NaN, 0, 6);
-    const { slopes } = reliefOf(texture, mesh);
+    const { slopes } = textureSlopesOf(texture, mesh);
     expect([...slopes.subarray(0, 6)]).toEqual([0, 0, 0, 0, 0, 0]);
     expect(slopes[6]).toBeCloseTo(0.75, 5);
-    expect(() => reliefOf(texture, {})).toThrow(/no texture coordinates, and normalmap needs them/);
+    expect(() => textureSlopesOf(texture, {})).toThrow(/no texture coordinates, and normalmap needs them/);
   });
 });
 

@@ -8,14 +8,15 @@ import { sphereNormals } from '../../src/inputs/styles/sphere-normals.ts';
 import { capsule, findStyleMesh, styleMeshIds, tractricoid } from '../../src/inputs/styles/style-meshes.ts';
 import { areaVectors, type Surface, volume } from '../../src/inputs/styles/surface.ts';
 import { dot, length, row } from '../../src/mesh/vectors.ts';
-import { testCore } from '../fixtures/core.ts';
+import { configure, testCore } from '../fixtures/core.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 import { cornerAngles, eulerCharacteristic, isClosedAndOriented } from '../fixtures/surfaces.ts';
 
-async function flowed({ positions, triangles }: Surface, maxIterations = 300): Promise<Float64Array> {
+async function flowed(surface: Surface, maxIterations = 300): Promise<Float64Array> {
   const session = (await testCore()).open();
+  const { positions, triangles } = surface;
   session.load(positions, triangles);
-  session.configure('spherical', { maxIterations });
+  configure(session, surface, 'spherical', { maxIterations });
   session.prepare();
   while (session.step().outcome === 'running');
   const result = new Float64Array(positions.length);

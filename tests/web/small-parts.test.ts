@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { remarks } from '../../src/mesh/report-sentences.ts';
-import type { NumberParameter } from '../../src/methods/descriptor.ts';
 import { methods } from '../../src/methods/registry.ts';
 import { startingLambda } from '../../src/methods/starting-lambda.ts';
+import type { NumberParameter } from '../../src/methods/values/number.ts';
 import { chooseMesh } from '../../web/app/choose-mesh.ts';
 import { commandLine, exportName, ownFormat } from '../../web/app/export.ts';
 import type { WhittleDocument } from '../../web/document/document.ts';

@@ -23,7 +23,8 @@ export function commandLine(document: WhittleDocument): string {
     const style = parameter.kind === 'style' ? styleOf(document) : null;
     if (style) return [flag, quoted(style.source)];
     // A file's own normal map needs no mention.
-    if (parameter.kind === 'relief') return picture && !picture.file ? [flag, quoted(picture.source)] : [];
+    if (parameter.kind === 'textureSlopes')
+      return picture && !picture.file ? [flag, quoted(picture.source)] : [];
     const value = parameters[parameter.name];
     if (!('default' in parameter) || value === undefined || value === parameter.default) return [];
     return [flag, String(value)];

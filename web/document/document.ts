@@ -1,8 +1,8 @@
 import type { Outcome, ReadResult, Solved } from '../../src/engine/protocol.ts';
 import type { Format } from '../../src/io/index.ts';
 import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
 import type { Picture } from './pictures.ts';
 
 /** The file as it came. */

@@ -1,15 +1,11 @@
-import type {
-  ChoiceParameter,
-  FlagParameter,
-  MethodDescriptor,
-  NumberParameter,
-  ParameterDescriptor,
-  ParameterValue,
-  ParameterValues,
-  StyleParameter,
-} from '../../src/methods/descriptor.ts';
+import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
+import type { ChoiceParameter } from '../../src/methods/values/choice.ts';
+import type { FlagParameter } from '../../src/methods/values/flag.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
+import type { ParameterDescriptor, ParameterValue, ParameterValues } from '../../src/methods/values/index.ts';
+import type { NumberParameter } from '../../src/methods/values/number.ts';
+import type { StyleParameter } from '../../src/methods/values/style.ts';
 import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
 import { laid, type Picture, startingRepeat } from './pictures.ts';
 
@@ -58,7 +54,7 @@ export function styleOf(shaping: Shaping): ChosenStyle | null {
 
 /** Methods that make shape of a picture. */
 export function takesPicture(method: MethodDescriptor | undefined): boolean {
-  return method?.parameters.some(({ kind }) => kind === 'relief') ?? false;
+  return method?.parameters.some(({ kind }) => kind === 'textureSlopes') ?? false;
 }
 
 /** Why a method cannot be used on a mesh, as a sentence; undefined if it can. */

@@ -3,14 +3,14 @@ import { findPattern, patternIds } from '../../src/inputs/images/patterns.ts';
 import { type Texture, type TextureOptions, textureOf } from '../../src/inputs/images/texture.ts';
 import {
   legibility,
-  type ReliefOptions,
-  reliefOf,
+  type TextureSlopesOptions,
+  textureSlopesOf,
   tilesAlong,
   tooFine,
 } from '../../src/inputs/images/texture-slopes.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import type { Relief } from '../../src/methods/values/texture-slopes.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
+import type { TextureSlopes } from '../../src/methods/values/texture-slopes.ts';
 import type { Source } from './document.ts';
 
 /** A picture to be laid on a mesh. Immutable. */
@@ -75,7 +75,7 @@ export function startingRepeat({ isOwn, read }: Picture, mesh: Mesh): number {
 interface Laid {
   readonly mesh: Mesh;
   readonly repeat: number | undefined;
-  readonly relief: Relief;
+  readonly relief: TextureSlopes;
   /** What there is to say of it. */
   readonly remark: string | undefined;
 }
@@ -87,14 +87,14 @@ const latest = new WeakMap<Texture, Laid>();
  * A picture on a mesh.
  *
  * @param parameters of the method: how the picture is read and how often it comes
- * @throws WhittleError as `textureOf` and `reliefOf`
+ * @throws WhittleError as `textureOf` and `textureSlopesOf`
  */
 export function laid({ read }: Picture, mesh: Mesh, parameters: ParameterValues): Laid {
-  const { repeat, ...options } = parameters as TextureOptions & ReliefOptions;
+  const { repeat, ...options } = parameters as TextureOptions & TextureSlopesOptions;
   const texture = read(options);
   const known = latest.get(texture);
   if (known?.mesh === mesh && known.repeat === repeat) return known;
-  const relief = reliefOf(texture, mesh, { repeat });
+  const relief = textureSlopesOf(texture, mesh, { repeat });
   const now = { mesh, repeat, relief, remark: tooFine(legibility(texture, mesh, { repeat })) };
   latest.set(texture, now);
   return now;

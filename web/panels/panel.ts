@@ -1,8 +1,9 @@
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { formats } from '../../src/io/index.ts';
-import type { MethodDescriptor, StyleParameter } from '../../src/methods/descriptor.ts';
+import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
+import type { StyleParameter } from '../../src/methods/values/style.ts';
 import { exportName, ownFormat } from '../app/export.ts';
 import type { WhittleDocument } from '../document/document.ts';
 import {

@@ -1,12 +1,12 @@
 import { WhittleError } from '../../mesh/failure.ts';
 import type { Mesh } from '../../mesh/mesh.ts';
 import { length, row } from '../../mesh/vectors.ts';
-import type { Relief } from '../../methods/values/texture-slopes.ts';
+import type { TextureSlopes } from '../../methods/values/texture-slopes.ts';
 import { areaVectors } from '../styles/surface.ts';
 import { Pyramid } from './pyramid.ts';
 import type { Texture } from './texture.ts';
 
-export interface ReliefOptions {
+export interface TextureSlopesOptions {
   /** How often the picture is laid side by side over texture coordinates from 0 to 1. Default 1. */
   readonly repeat?: number | undefined;
 }
@@ -26,11 +26,11 @@ function pyramidOf(texture: Texture): Pyramid {
  *
  * @throws WhittleError `unsuitable-mesh` if the mesh has no texture coordinates
  */
-export function reliefOf(
+export function textureSlopesOf(
   texture: Texture,
   mesh: Pick<Mesh, 'uvs'>,
-  { repeat = 1 }: ReliefOptions = {},
-): Relief {
+  { repeat = 1 }: TextureSlopesOptions = {},
+): TextureSlopes {
   const uvs = requireUvs(mesh);
   const pyramid = pyramidOf(texture);
   const slopes = new Float32Array(uvs.length);
@@ -56,11 +56,11 @@ export interface Legibility {
   readonly kept: number;
 }
 
-/** @throws WhittleError as {@link reliefOf} */
+/** @throws WhittleError as {@link textureSlopesOf} */
 export function legibility(
   texture: Texture,
   mesh: Pick<Mesh, 'uvs'>,
-  { repeat = 1 }: ReliefOptions = {},
+  { repeat = 1 }: TextureSlopesOptions = {},
 ): Legibility {
   const uvs = requireUvs(mesh);
   const sizes = new Float64Array(uvs.length / 6).map((_, f) => footprint(texture, uvs, 6 * f, repeat));
@@ -81,7 +81,7 @@ export function tooFine({ pixelsPerEdge, kept }: Legibility): string | undefined
  * How often a picture that comes once lies along the mesh: the side of the whole texture, as an area, over that of the surface, times
  * the mesh's diagonal.
  *
- * @throws WhittleError as {@link reliefOf}
+ * @throws WhittleError as {@link textureSlopesOf}
  */
 export function tilesAlong(mesh: Pick<Mesh, 'positions' | 'triangles' | 'uvs'>): number {
   const uvs = requireUvs(mesh);

@@ -1,9 +1,9 @@
 import { WhittleError } from '../../mesh/failure.ts';
 import type { Mesh } from '../../mesh/mesh.ts';
 import { length, unit } from '../../mesh/vectors.ts';
-import type { Directions } from '../../methods/descriptor.ts';
 import { didYouMean } from '../../methods/suggest.ts';
 import type { GaussMap } from '../../methods/values/gauss-map.ts';
+import type { Directions } from '../../methods/values/points.ts';
 import { captureIds, findCapture } from './capture-gallery.ts';
 import { normalsOfConvex } from './convex-normals.ts';
 import { isFaceted } from './faceted.ts';

@@ -15,7 +15,7 @@ namespace whittle {
 namespace {
 
 constexpr const char* kKindNames[] = {"number", "integer", "choice", "flag",   "vector", "rotation",
-                                      "scalars", "rotations", "style", "relief", "handles"};
+                                      "scalars", "rotations", "style", "textureSlopes", "handles"};
 constexpr const char* kStaleNames[] = {"nothing", "targets", "weights", "system", "all"};
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }

@@ -1,4 +1,4 @@
-import { WhittleError } from '../mesh/failure.ts';
+import { WhittleError } from '../../mesh/failure.ts';
 import { lineOfJsonError } from './json-error.ts';
 
 /**
