@@ -21,7 +21,7 @@ export interface StepRun {
 }
 
 export interface StepOptions {
-  /** When it aborts while the step is solved, the step keeps what it has. Before that, the run rejects with the reason. */
+  /** When it aborts, the step ends as `cancelled` with what it has. */
   readonly signal?: AbortSignal | undefined;
   /** Where the run begins; default at the mesh's own shape. */
   readonly start?: Start;
@@ -46,7 +46,7 @@ export async function runStep(
 ): Promise<StepRun> {
   const began = performance.now();
   const { method, parameters, warnings } = await resolver.resolve(step, surface, place);
-  await at(place, engine.inspect(surface.mesh, { signal }));
+  await at(place, engine.inspect(surface.mesh));
   const loading = performance.now() - began;
   const settings = { method, parameters, start, frames };
   const { milliseconds, ...solved } = await at(

@@ -84,18 +84,22 @@ describe('a recipe', () => {
 
   test('ends with the step that was cancelled, and keeps what that has', async () => {
     const stop = new AbortController();
-    // No tolerance ends it: every iteration starts anew from what the last one left.
-    const endless: RecipeStep = { method: 'polycube', parameters: { maxIterations: 1_000_000 } };
     const run = await runRecipe(
       engine,
       { mesh: ball },
-      { steps: [endless, cubic] },
+      { steps: [cubic, cubic, cubic] },
       {
         signal: stop.signal,
-        onStep: () => () => stop.abort(),
+        onStep: (_, index) => {
+          if (index === 1) stop.abort();
+          return undefined;
+        },
       },
     );
-    expect(run.steps.map(({ outcome }) => outcome)).toEqual(['cancelled']);
-    expect(run.mesh.positions).not.toEqual(ball.positions);
+    expect(run.steps.map(({ outcome }) => outcome)).toEqual(['converged', 'cancelled']);
+    expect(run.mesh.positions).toEqual(run.steps[0]!.positions);
+    await expect(
+      runRecipe(engine, { mesh: ball }, { steps: [cubic] }, { signal: stop.signal }),
+    ).rejects.toThrow();
   });
 });
