@@ -1,10 +1,10 @@
+import { Workspace } from '../src/editor/editor.ts';
+import { Display } from '../src/editor/presenter.ts';
+import { Runner } from '../src/editor/task.ts';
 import { createBrowserEngine } from '../src/engine/in-browser.ts';
 import { Viewer } from '../src/viewer/viewer.ts';
 import { samples } from './app/samples.ts';
 import { Store } from './app/store.ts';
-import { Display } from './document/display.ts';
-import { Runner } from './document/runner.ts';
-import { Workspace } from './document/workspace.ts';
 import './panels/all.ts';
 import type { PageElement } from './panels/page-element.ts';
 import './css/all.css';

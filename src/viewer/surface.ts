@@ -1,8 +1,8 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import { edgesOf } from '../mesh/edges.ts';
 import type { Mesh } from '../mesh/mesh.ts';
+import { NormalWriter } from '../mesh/normals.ts';
 import { weldOf } from '../mesh/weld.ts';
-import { NormalWriter } from './normals.ts';
 import { frameOf, toView, type ViewFrame } from './view-frame.ts';
 
 /**

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { Workspace } from '../../src/editor/editor.ts';
+import { Display } from '../../src/editor/presenter.ts';
+import { Runner } from '../../src/editor/task.ts';
 import { Store } from '../../web/app/store.ts';
-import { Display } from '../../web/document/display.ts';
-import { Runner } from '../../web/document/runner.ts';
-import { Workspace } from '../../web/document/workspace.ts';
 import { FakeEngine, type FakeOptions, tetrahedron } from '../fixtures/fake-engine.ts';
 
 const bytes = Uint8Array.of(1);

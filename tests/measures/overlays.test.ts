@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
+import type { WhittleDocument } from '../../src/editor/project.ts';
+import { measure, measuresFor, type OverlayName } from '../../src/measures/index.ts';
+import { histogram, rangeOf, type Scale, shareOf, ticksOf } from '../../src/measures/scale.ts';
+import { mean, quantile, roundedUp } from '../../src/measures/statistics.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { blank, ramp, rampColors } from '../../web/app/color-ramp.ts';
 import { followOverlay } from '../../web/app/overlay-paint.ts';
 import { Store } from '../../web/app/store.ts';
-import type { WhittleDocument } from '../../web/document/document.ts';
-import { measure, measuresFor, type OverlayName } from '../../web/document/overlays/index.ts';
-import { histogram, rangeOf, type Scale, shareOf, ticksOf } from '../../web/document/overlays/scale.ts';
-import { mean, quantile, roundedUp } from '../../web/document/overlays/statistics.ts';
 import { icosphere, type TestMesh } from '../fixtures/meshes.ts';
 import { openCylinder, torus } from '../fixtures/shapes.ts';
 

@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
+import { Workspace } from '../../src/editor/editor.ts';
+import { Display } from '../../src/editor/presenter.ts';
+import { Runner } from '../../src/editor/task.ts';
 import { writePng } from '../../src/inputs/images/png.ts';
 import { pixelsOfMap, sphereMap } from '../../src/inputs/styles/captures.ts';
+import { measure } from '../../src/measures/index.ts';
 import { unit } from '../../src/mesh/vectors.ts';
 import { startingRegularizer, startingStrength } from '../../src/methods/starting-lambda.ts';
 import { commandLine } from '../../web/app/export.ts';
 import { Store } from '../../web/app/store.ts';
 import { StyleDesk } from '../../web/app/style-actions.ts';
-import { Display } from '../../web/document/display.ts';
-import { measure } from '../../web/document/overlays/index.ts';
-import { Runner } from '../../web/document/runner.ts';
-import { Workspace } from '../../web/document/workspace.ts';
 import { stepInGrid } from '../../web/panels/grid-steps.ts';
 import { FakeEngine, tetrahedron } from '../fixtures/fake-engine.ts';
 

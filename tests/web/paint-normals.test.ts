@@ -1,5 +1,8 @@
 import { Quaternion } from 'three';
 import { describe, expect, it } from 'vitest';
+import { Workspace } from '../../src/editor/editor.ts';
+import { Display } from '../../src/editor/presenter.ts';
+import { Runner } from '../../src/editor/task.ts';
 import { readPng } from '../../src/inputs/images/png.ts';
 import { blankMap, mapOfPixels } from '../../src/inputs/styles/captures.ts';
 import { lookup } from '../../src/inputs/styles/gauss-lookup.ts';
@@ -7,9 +10,6 @@ import { distance, dot, row, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import { BrushSurface, Coverage, falloff, Stroke } from '../../src/viewer/brush-surface.ts';
 import { Store } from '../../web/app/store.ts';
 import { inWords, nudged, pointed, toFile, toSeen } from '../../web/app/view-directions.ts';
-import { Display } from '../../web/document/display.ts';
-import { Runner } from '../../web/document/runner.ts';
-import { Workspace } from '../../web/document/workspace.ts';
 import { Painter } from '../../web/tools/paint-normals.ts';
 import { FakeEngine } from '../fixtures/fake-engine.ts';
 

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
+import type { WhittleDocument } from '../../src/editor/project.ts';
 import { remarks } from '../../src/mesh/report-sentences.ts';
 import { methods } from '../../src/methods/registry.ts';
 import { startingLambda } from '../../src/methods/starting-lambda.ts';
 import type { NumberParameter } from '../../src/methods/values/number.ts';
 import { chooseMesh } from '../../web/app/choose-mesh.ts';
 import { commandLine, exportName, ownFormat } from '../../web/app/export.ts';
-import type { WhittleDocument } from '../../web/document/document.ts';
-import { offeredMethods } from '../../web/document/offered-methods.ts';
+import { offeredMethods } from '../../web/app/offered-methods.ts';
 import { fromTravel, toTravel, travel } from '../../web/panels/slider-scale.ts';
 import { curve } from '../../web/panels/sparkline.ts';
 

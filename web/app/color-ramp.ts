@@ -1,5 +1,5 @@
 import { Color } from 'three';
-import { type Scale, shareOf } from '../document/overlays/scale.ts';
+import { type Scale, shareOf } from '../../src/measures/scale.ts';
 
 const colors = (...texts: string[]) => texts.map((text) => new Color(text));
 

@@ -1,8 +1,8 @@
+import type { WhittleDocument } from '../../src/editor/project.ts';
 import { type FormatInfo, formatInfo } from '../../src/io/index.ts';
 import { kebabCase } from '../../src/methods/kebab-case.ts';
 import { methods } from '../../src/methods/registry.ts';
-import type { WhittleDocument } from '../document/document.ts';
-import { styleOf } from '../document/offered-methods.ts';
+import { styleOf } from './offered-methods.ts';
 
 /** The format a document goes home in: the one it came in. */
 export function ownFormat({ source }: WhittleDocument): FormatInfo {

@@ -1,9 +1,9 @@
+import type { Workspace } from '../../src/editor/editor.ts';
+import type { Source } from '../../src/editor/project.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
 import { methods } from '../../src/methods/registry.ts';
-import type { Source } from '../document/document.ts';
-import { startingParameters, takesPicture } from '../document/offered-methods.ts';
-import { ownPicture, type Picture, startingRepeat } from '../document/pictures.ts';
-import type { Workspace } from '../document/workspace.ts';
+import { ownPicture, type Picture, startingRepeat } from './image-gallery.ts';
+import { startingParameters, takesPicture } from './offered-methods.ts';
 import { readPicture } from './read-image.ts';
 import type { Store } from './store.ts';
 

@@ -1,6 +1,6 @@
+import type { WhittleDocument } from '../../src/editor/project.ts';
+import { measure, type OverlayName } from '../../src/measures/index.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
-import type { WhittleDocument } from '../document/document.ts';
-import { measure, type OverlayName } from '../document/overlays/index.ts';
 import { rampColors } from './color-ramp.ts';
 import type { Store } from './store.ts';
 

@@ -1,9 +1,9 @@
+import { emptyHistory, type History } from '../../src/editor/history.ts';
+import type { WhittleDocument } from '../../src/editor/project.ts';
+import type { Overlay, OverlayName } from '../../src/measures/index.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Shading } from '../../src/viewer/viewer.ts';
-import type { WhittleDocument } from '../document/document.ts';
-import { emptyHistory, type History } from '../document/history.ts';
-import type { Overlay, OverlayName } from '../document/overlays/index.ts';
-import { builtInPictures, type Picture } from '../document/pictures.ts';
+import { builtInPictures, type Picture } from './image-gallery.ts';
 import { builtIn, type StyleEntry } from './style-gallery.ts';
 
 export type Activity =

@@ -1,3 +1,5 @@
+import type { Workspace } from '../../src/editor/editor.ts';
+import type { ChosenStyle, WhittleDocument } from '../../src/editor/project.ts';
 import type { Engine } from '../../src/engine/client.ts';
 import { isPng, readPng } from '../../src/inputs/images/png.ts';
 import { mapOfPixels } from '../../src/inputs/styles/captures.ts';
@@ -6,10 +8,8 @@ import { toFailure } from '../../src/mesh/failure.ts';
 import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
-import type { ChosenStyle, WhittleDocument } from '../document/document.ts';
-import { canTake, startingParameters, styleOf, styleParameter } from '../document/offered-methods.ts';
-import { Film, StyleReader } from '../document/style-reader.ts';
-import type { Workspace } from '../document/workspace.ts';
+import { Film, StyleReader } from './film.ts';
+import { canTake, startingParameters, styleOf, styleParameter } from './offered-methods.ts';
 import type { Gallery, Store } from './store.ts';
 import { firstDirections, firstStyle, ownStyle, type StyleEntry } from './style-gallery.ts';
 

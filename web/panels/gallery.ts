@@ -1,9 +1,9 @@
 import { html, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import { findMethod } from '../../src/methods/registry.ts';
+import { styleParameter } from '../app/offered-methods.ts';
 import { groups, type StyleEntry, type StyleGroup } from '../app/style-gallery.ts';
 import { Photographer } from '../app/thumbnails.ts';
-import { styleParameter } from '../document/offered-methods.ts';
 import { stepInGrid } from './grid-steps.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';

@@ -1,9 +1,9 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
+import { measuresFor, type Overlay } from '../../src/measures/index.ts';
+import { histogram, rangeOf } from '../../src/measures/scale.ts';
 import type { Page } from '../app/actions.ts';
 import { ramp } from '../app/color-ramp.ts';
 import type { State } from '../app/store.ts';
-import { measuresFor, type Overlay } from '../document/overlays/index.ts';
-import { histogram, rangeOf } from '../document/overlays/scale.ts';
 import { curve } from './sparkline.ts';
 
 const width = 272;

@@ -1,11 +1,11 @@
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
+import type { WhittleDocument } from '../../src/editor/project.ts';
 import { formats } from '../../src/io/index.ts';
 import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { StyleParameter } from '../../src/methods/values/style.ts';
 import { exportName, ownFormat } from '../app/export.ts';
-import type { WhittleDocument } from '../document/document.ts';
 import {
   type EditableParameter,
   editableParameters,
@@ -13,7 +13,7 @@ import {
   offeredMethods,
   styleParameter,
   takesPicture,
-} from '../document/offered-methods.ts';
+} from '../app/offered-methods.ts';
 import { icon } from './icons.ts';
 import { measures } from './measures.ts';
 import { PageElement } from './page-element.ts';
@@ -23,7 +23,7 @@ import './gallery.ts';
 import './menu.ts';
 import './painter.ts';
 import './parameter-control.ts';
-import { remarkOn } from './pictures.ts';
+import { remarkOn } from './images.ts';
 
 /** The style and its few controls, made from the method's descriptor; the way home for the result; what the mesh is like. */
 export class WhittlePanel extends PageElement {

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
+import type { WhittleDocument } from '../../src/editor/project.ts';
 import { remarks } from '../../src/mesh/report-sentences.ts';
-import type { WhittleDocument } from '../document/document.ts';
 
 const count = new Intl.NumberFormat('en');
 

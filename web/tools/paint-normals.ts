@@ -1,12 +1,12 @@
+import type { Workspace } from '../../src/editor/editor.ts';
+import type { ChosenStyle, Shaping } from '../../src/editor/project.ts';
 import { writePng } from '../../src/inputs/images/png.ts';
 import { blankMap, onSphere, pixelsOfMap, type SphereMap } from '../../src/inputs/styles/captures.ts';
 import { add, row, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import { methods } from '../../src/methods/registry.ts';
 import { BrushSurface, type BrushTip, Coverage, Stroke } from '../../src/viewer/brush-surface.ts';
+import { canTake, startingParameters } from '../app/offered-methods.ts';
 import type { Store } from '../app/store.ts';
-import type { ChosenStyle, Shaping } from '../document/document.ts';
-import { canTake, startingParameters } from '../document/offered-methods.ts';
-import type { Workspace } from '../document/workspace.ts';
 
 /** What the brush is like. */
 export interface Brush {

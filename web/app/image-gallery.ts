@@ -1,3 +1,4 @@
+import type { Source } from '../../src/editor/project.ts';
 import type { Image } from '../../src/inputs/images/image.ts';
 import { findPattern, patternIds } from '../../src/inputs/images/patterns.ts';
 import { type Texture, type TextureOptions, textureOf } from '../../src/inputs/images/texture.ts';
@@ -11,7 +12,6 @@ import {
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
 import type { TextureSlopes } from '../../src/methods/values/texture-slopes.ts';
-import type { Source } from './document.ts';
 
 /** A picture to be laid on a mesh. Immutable. */
 export interface Picture {

@@ -1,6 +1,6 @@
-import { formatInfo } from '../../src/io/index.ts';
-import type { Mesh } from '../../src/mesh/mesh.ts';
-import { shownPositions, type WhittleDocument } from './document.ts';
+import { formatInfo } from '../io/index.ts';
+import type { Mesh } from '../mesh/mesh.ts';
+import { shownPositions, type WhittleDocument } from './project.ts';
 
 /** What a document needs of a viewer. */
 export interface Canvas {

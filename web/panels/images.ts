@@ -1,8 +1,8 @@
 import { html, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
+import type { WhittleDocument } from '../../src/editor/project.ts';
 import { shaded } from '../../src/inputs/images/shade.ts';
-import type { WhittleDocument } from '../document/document.ts';
-import { laid, type Picture } from '../document/pictures.ts';
+import { laid, type Picture } from '../app/image-gallery.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 

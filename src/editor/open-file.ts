@@ -1,10 +1,10 @@
-import type { Engine } from '../../src/engine/client.ts';
-import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
-import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
-import { findMethod } from '../../src/methods/registry.ts';
-import type { Shaping, Source, WhittleDocument } from './document.ts';
-import { offeredMethods, startingParameters, styleParameter } from './offered-methods.ts';
-import type { Picture } from './pictures.ts';
+import type { Picture } from '../../web/app/image-gallery.ts';
+import { offeredMethods, startingParameters, styleParameter } from '../../web/app/offered-methods.ts';
+import type { Engine } from '../engine/client.ts';
+import type { Mesh, MeshReport } from '../mesh/mesh.ts';
+import type { MethodDescriptor } from '../methods/descriptor.ts';
+import { findMethod } from '../methods/registry.ts';
+import type { Shaping, Source, WhittleDocument } from './project.ts';
 
 /** What a mesh opens with, where it is not the first method. */
 export interface Beginning {

@@ -1,3 +1,4 @@
+import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from '../../src/editor/project.ts';
 import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { ChoiceParameter } from '../../src/methods/values/choice.ts';
@@ -6,8 +7,7 @@ import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import type { ParameterDescriptor, ParameterValue, ParameterValues } from '../../src/methods/values/index.ts';
 import type { NumberParameter } from '../../src/methods/values/number.ts';
 import type { StyleParameter } from '../../src/methods/values/style.ts';
-import type { ChosenStyle, Shaping, StylePlace, WhittleDocument } from './document.ts';
-import { laid, type Picture, startingRepeat } from './pictures.ts';
+import { laid, type Picture, startingRepeat } from './image-gallery.ts';
 
 /** Parameters with a control of their own; handles, styles and weights per vertex have tools. */
 export type EditableParameter = NumberParameter | ChoiceParameter | FlagParameter;

@@ -1,4 +1,4 @@
-import type { WhittleDocument } from './document.ts';
+import type { WhittleDocument } from './project.ts';
 
 /** One gesture: what there was and what came of it. */
 export interface Entry {

@@ -1,4 +1,4 @@
-import type { WhittleDocument } from '../document.ts';
+import type { WhittleDocument } from '../editor/project.ts';
 import type { Scale } from './scale.ts';
 
 /** What the colours on the mesh can show; `none` is the clay or the file's own colours. */

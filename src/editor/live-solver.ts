@@ -1,10 +1,10 @@
-import type { Frame, Solved, SolveSettings } from '../../src/engine/protocol.ts';
-import { idle, type Store } from '../app/store.ts';
-import type { Display } from './display.ts';
-import { type Result, resultOf, sameShaping, type WhittleDocument } from './document.ts';
+import { solverParameters } from '../../web/app/offered-methods.ts';
+import { idle, type Store } from '../../web/app/store.ts';
+import type { Frame, Solved, SolveSettings } from '../engine/protocol.ts';
 import { amend } from './history.ts';
-import { solverParameters } from './offered-methods.ts';
-import { type Runner, reportFailure, type Task } from './runner.ts';
+import type { Display } from './presenter.ts';
+import { type Result, resultOf, sameShaping, type WhittleDocument } from './project.ts';
+import { type Runner, reportFailure, type Task } from './task.ts';
 
 /** Runs the document's method on its mesh, shows what comes and puts the result into the document. */
 export class Carver {

@@ -1,5 +1,5 @@
-import { shownPositions, type WhittleDocument } from '../document.ts';
-import { type Measure, sizeOf } from './overlay.ts';
+import { shownPositions, type WhittleDocument } from '../editor/project.ts';
+import { type Measure, sizeOf } from './measure.ts';
 import { mean, quantile } from './statistics.ts';
 
 /** How far every place is from where the file has it, as a share of the mesh's size. */

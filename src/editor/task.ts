@@ -1,8 +1,8 @@
-import type { Engine, SolveOptions } from '../../src/engine/client.ts';
-import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
-import { toFailure, WhittleError } from '../../src/mesh/failure.ts';
-import type { Mesh } from '../../src/mesh/mesh.ts';
-import { idle, type Store } from '../app/store.ts';
+import { idle, type Store } from '../../web/app/store.ts';
+import type { Engine, SolveOptions } from '../engine/client.ts';
+import type { Solved, SolveSettings } from '../engine/protocol.ts';
+import { toFailure, WhittleError } from '../mesh/failure.ts';
+import type { Mesh } from '../mesh/mesh.ts';
 
 /** One attempt at something that may be cancelled or overtaken by a later one. */
 export interface Task {

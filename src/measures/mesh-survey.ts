@@ -1,8 +1,8 @@
-import { ringAreas } from '../../../src/mesh/areas.ts';
-import { gaussianCurvature, type Rings, ringsOf } from '../../../src/mesh/curvature.ts';
-import type { Mesh } from '../../../src/mesh/mesh.ts';
-import { gather, type Weld, weldOf } from '../../../src/mesh/weld.ts';
-import { NormalWriter } from '../../../src/viewer/normals.ts';
+import { ringAreas } from '../mesh/areas.ts';
+import { gaussianCurvature, type Rings, ringsOf } from '../mesh/curvature.ts';
+import type { Mesh } from '../mesh/mesh.ts';
+import { NormalWriter } from '../mesh/normals.ts';
+import { gather, type Weld, weldOf } from '../mesh/weld.ts';
 
 const surveys = new WeakMap<Mesh, Survey>();
 

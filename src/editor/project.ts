@@ -1,9 +1,9 @@
-import type { Outcome, ReadResult, Solved } from '../../src/engine/protocol.ts';
-import type { Format } from '../../src/io/index.ts';
-import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
-import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
-import type { ParameterValues } from '../../src/methods/values/index.ts';
-import type { Picture } from './pictures.ts';
+import type { Picture } from '../../web/app/image-gallery.ts';
+import type { Outcome, ReadResult, Solved } from '../engine/protocol.ts';
+import type { Format } from '../io/index.ts';
+import type { Mesh, MeshReport } from '../mesh/mesh.ts';
+import type { GaussMap } from '../methods/values/gauss-map.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
 
 /** The file as it came. */
 export interface Source {

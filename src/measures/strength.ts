@@ -1,7 +1,7 @@
-import type { WhittleDocument } from '../document.ts';
-import type { Measure } from './overlay.ts';
+import type { WhittleDocument } from '../editor/project.ts';
+import type { Measure } from './measure.ts';
+import { surveyOf } from './mesh-survey.ts';
 import { mean, quantile, roundedUp } from './statistics.ts';
-import { surveyOf } from './survey.ts';
 
 /** λ of every vertex, where the parameters hold one for each; places that the file stores twice get the mean, as in the solver. */
 export const strength: Measure = {

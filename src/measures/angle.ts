@@ -1,13 +1,13 @@
-import { type GaussLookup, lookup } from '../../../src/inputs/styles/gauss-lookup.ts';
-import { findPrimitive, type Primitive } from '../../../src/inputs/styles/primitives.ts';
-import { dot, row } from '../../../src/mesh/vectors.ts';
-import { findMethod } from '../../../src/methods/registry.ts';
-import type { GaussMap } from '../../../src/methods/values/gauss-map.ts';
-import { shownPositions, type WhittleDocument } from '../document.ts';
-import { styleOf, styleParameter } from '../offered-methods.ts';
-import type { Measure, Overlay } from './overlay.ts';
+import { styleOf, styleParameter } from '../../web/app/offered-methods.ts';
+import { shownPositions, type WhittleDocument } from '../editor/project.ts';
+import { type GaussLookup, lookup } from '../inputs/styles/gauss-lookup.ts';
+import { findPrimitive, type Primitive } from '../inputs/styles/primitives.ts';
+import { dot, row } from '../mesh/vectors.ts';
+import { findMethod } from '../methods/registry.ts';
+import type { GaussMap } from '../methods/values/gauss-map.ts';
+import type { Measure, Overlay } from './measure.ts';
+import { surveyOf } from './mesh-survey.ts';
 import { mean, quantile } from './statistics.ts';
-import { surveyOf } from './survey.ts';
 
 /** What a document's method draws normals to. */
 interface Targets {

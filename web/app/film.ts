@@ -2,7 +2,7 @@ import type { Engine } from '../../src/engine/client.ts';
 import { resolveStyle } from '../../src/inputs/styles/resolve.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
-import type { StyleEntry } from '../app/style-gallery.ts';
+import type { StyleEntry } from './style-gallery.ts';
 
 /** Sees a style mesh on its way to the sphere. */
 export type FlowListener = (mesh: Mesh, positions: Float64Array) => void;

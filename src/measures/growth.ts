@@ -1,8 +1,8 @@
-import { shownPositions, type WhittleDocument } from '../document.ts';
-import type { Measure } from './overlay.ts';
+import { shownPositions, type WhittleDocument } from '../editor/project.ts';
+import type { Measure } from './measure.ts';
+import { surveyOf } from './mesh-survey.ts';
 import { times } from './scale.ts';
 import { quantile } from './statistics.ts';
-import { surveyOf } from './survey.ts';
 
 /** Where the band may end. */
 const ends = [1.05, 1.1, 1.2, 1.5, 2, 3, 5];

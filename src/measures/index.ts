@@ -1,12 +1,12 @@
-import type { WhittleDocument } from '../document.ts';
+import type { WhittleDocument } from '../editor/project.ts';
 import { angleAfter, angleBefore } from './angle.ts';
 import { curvatureAfter, curvatureBefore } from './curvature.ts';
 import { growth } from './growth.ts';
+import type { Measure, Overlay, OverlayName } from './measure.ts';
 import { movement } from './movement.ts';
-import type { Measure, Overlay, OverlayName } from './overlay.ts';
 import { strength } from './strength.ts';
 
-export type { Measure, Overlay, OverlayName } from './overlay.ts';
+export type { Measure, Overlay, OverlayName } from './measure.ts';
 
 /** All ways to look closer, in the order in which the page offers them. */
 const measures: readonly Measure[] = [

@@ -1,12 +1,12 @@
-import { findMethod } from '../../src/methods/registry.ts';
-import { idle, type Store } from '../app/store.ts';
-import { Carver } from './carver.ts';
-import type { Display } from './display.ts';
-import { type Shaping, sameShaping, type WhittleDocument, withShaping } from './document.ts';
+import { startingParameters } from '../../web/app/offered-methods.ts';
+import { idle, type Store } from '../../web/app/store.ts';
+import { findMethod } from '../methods/registry.ts';
 import { record, redo, undo } from './history.ts';
-import { startingParameters } from './offered-methods.ts';
-import { type Beginning, beginDocument, type OpenedFile, understandFile } from './opening.ts';
-import { type Runner, reportFailure } from './runner.ts';
+import { Carver } from './live-solver.ts';
+import { type Beginning, beginDocument, type OpenedFile, understandFile } from './open-file.ts';
+import type { Display } from './presenter.ts';
+import { type Shaping, sameShaping, type WhittleDocument, withShaping } from './project.ts';
+import { type Runner, reportFailure } from './task.ts';
 
 /** What a person does to the document: open, shape, settle, cancel, undo, take home. */
 export class Workspace {

@@ -1,7 +1,7 @@
-import { shownPositions, type WhittleDocument } from '../document.ts';
-import type { Measure } from './overlay.ts';
+import { shownPositions, type WhittleDocument } from '../editor/project.ts';
+import type { Measure } from './measure.ts';
+import { surveyOf } from './mesh-survey.ts';
 import { percent, quantile, roundedUp } from './statistics.ts';
-import { surveyOf } from './survey.ts';
 
 /** Of the file's own shape; negative at saddles, positive at peaks and hollows, zero where it can be unrolled (2021, Fig. 21). */
 export const curvatureBefore: Measure = {
