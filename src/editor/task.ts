@@ -1,25 +1,17 @@
-import { idle, type Store } from '../../web/app/store.ts';
-import type { Engine, SolveOptions } from '../engine/client.ts';
-import type { Solved, SolveSettings } from '../engine/protocol.ts';
 import { toFailure, WhittleError } from '../mesh/failure.ts';
-import type { Mesh } from '../mesh/mesh.ts';
+import { type EditorStore, idle } from './state.ts';
 
 /** One attempt at something that may be cancelled or overtaken by a later one. */
 export interface Task {
   readonly signal: AbortSignal;
-  /** False once a later task began or the page moved on. */
+  /** False once a later task began or the editor moved on. */
   readonly current: () => boolean;
 }
 
-/** The engine with a short patience: one task at a time counts, and a dead worker costs one retry. */
-export class Runner {
-  readonly engine: Engine;
+/** One task at a time counts. */
+export class Tasks {
   #controller: AbortController | null = null;
   #generation = 0;
-
-  constructor(engine: Engine) {
-    this.engine = engine;
-  }
 
   /** Begins a task that makes all earlier ones stale. Earlier solves are stopped by the newer one or by {@link cancel}. */
   begin(): Task {
@@ -38,21 +30,15 @@ export class Runner {
     this.cancel();
     this.#generation++;
   }
+}
 
-  /** Does it again, once, if the worker died under it and nobody has asked for something else since. */
-  async patiently<T>(task: Task, attempt: () => Promise<T>): Promise<T> {
-    try {
-      return await attempt();
-    } catch (thrown) {
-      if (!isWorkerLost(thrown) || !task.current() || task.signal.aborted) throw thrown;
-      return attempt();
-    }
-  }
-
-  solve(task: Task, mesh: Mesh, settings: SolveSettings, onFrame?: SolveOptions['onFrame']): Promise<Solved> {
-    return this.patiently(task, () =>
-      this.engine.solve(mesh, settings, onFrame ? { signal: task.signal, onFrame } : { signal: task.signal }),
-    );
+/** Does it again, once, if the worker died under it and nobody has asked for something else since. */
+export async function patiently<T>(task: Task, attempt: () => Promise<T>): Promise<T> {
+  try {
+    return await attempt();
+  } catch (thrown) {
+    if (!isWorkerLost(thrown) || !task.current() || task.signal.aborted) throw thrown;
+    return attempt();
   }
 }
 
@@ -60,7 +46,7 @@ export class Runner {
  * Says why a task failed, and offers to do it again where the worker died under it. Nothing is said of a task that was
  * stopped or overtaken.
  */
-export function reportFailure(store: Store, task: Task, thrown: unknown, again: () => void): void {
+export function reportFailure(store: EditorStore, task: Task, thrown: unknown, again: () => void): void {
   if (!task.current()) return;
   if (task.signal.aborted && !isWorkerLost(thrown)) {
     store.set({ activity: idle });

@@ -1,4 +1,4 @@
-import type { Weld } from '../mesh/weld.ts';
+import type { Weld } from '../mesh/mesh.ts';
 import type { MethodDescriptor } from '../methods/descriptor.ts';
 import { encodeValue, type ParameterValues } from '../methods/values/index.ts';
 import type { Encoded } from '../methods/values/parameter.ts';

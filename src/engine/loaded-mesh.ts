@@ -1,6 +1,6 @@
 import { WhittleError } from '../mesh/failure.ts';
-import type { Mesh, MeshReport } from '../mesh/mesh.ts';
-import { gather, spread, type Weld, weldOf } from '../mesh/weld.ts';
+import type { Mesh, MeshReport, Weld } from '../mesh/mesh.ts';
+import { gather, spread, weldOf } from '../mesh/weld.ts';
 import type { Core, CoreSession, Step } from './core-api.ts';
 import type { EncodedValues } from './encode.ts';
 import { inCore } from './trap.ts';

@@ -1,50 +1,19 @@
-import { styleOf, styleParameter } from '../../web/app/offered-methods.ts';
-import { shownPositions, type WhittleDocument } from '../editor/project.ts';
 import { type GaussLookup, lookup } from '../inputs/styles/gauss-lookup.ts';
-import { findPrimitive, type Primitive } from '../inputs/styles/primitives.ts';
 import { dot, row } from '../mesh/vectors.ts';
-import { findMethod } from '../methods/registry.ts';
 import type { GaussMap } from '../methods/values/gauss-map.ts';
-import type { Measure, Overlay } from './measure.ts';
+import { type Measure, type Measured, type Overlay, positionsNow } from './measure.ts';
 import { surveyOf } from './mesh-survey.ts';
 import { mean, quantile } from './statistics.ts';
 
-/** What a document's method draws normals to. */
-interface Targets {
-  readonly map: GaussMap;
-  /** Looked up from the normals that there are, and not once from those of the file. */
-  readonly follow: boolean;
-}
-
-/** What the method's descriptor names: a style that was chosen, or by its name a solid of ours. */
-function targetsOf(document: WhittleDocument): Targets | null {
-  const { parameters } = document;
-  const method = findMethod(document.method);
-  const targets = method?.targets?.(parameters);
-  if (!targets) return null;
-  const solid = findPrimitive(String(parameters[targets.style] ?? 'cube'));
-  const map = styleParameter(method) ? styleOf(document)?.map : solid && mapOf(solid);
-  return map ? { map, follow: targets.lookedUpFrom === 'output' } : null;
-}
-
-const maps = new WeakMap<Primitive, GaussMap>();
-
-/** The same object at every asking. */
-function mapOf(solid: Primitive): GaussMap {
-  const map = maps.get(solid) ?? { kind: 'closest', normals: solid.normals };
-  maps.set(solid, map);
-  return map;
-}
-
-const hasTargets = (document: WhittleDocument): boolean => targetsOf(document) !== null;
+const hasTargets = ({ targets }: Measured): boolean => targets !== null;
 
 /** Between the normals of the mesh and those of the style (2021, Fig. 15). */
 export const angleBefore: Measure = {
   name: 'angle-before',
   label: 'Angle before',
   suits: hasTargets,
-  of: (document) => {
-    const before = anglesBefore(document);
+  of: (measured) => {
+    const before = anglesBefore(measured);
     return overlay('Angle to the style, before', before, before);
   },
 };
@@ -53,14 +22,14 @@ export const angleAfter: Measure = {
   name: 'angle-after',
   label: 'Angle after',
   before: 'angle-before',
-  suits: (document) => document.result !== null && hasTargets(document),
-  of: (document) => {
-    const targets = targetsOf(document)!;
-    const survey = surveyOf(document.mesh);
-    const now = survey.normals(shownPositions(document));
-    const asked = targets.follow ? now : survey.normals(document.mesh.positions);
-    const after = angles(now, targetNormals(targets.map, asked));
-    return overlay('Angle to the style, after', after, anglesBefore(document));
+  suits: (measured) => measured.positions !== null && hasTargets(measured),
+  of: (measured) => {
+    const { map, from } = measured.targets!;
+    const survey = surveyOf(measured.mesh);
+    const now = survey.normals(positionsNow(measured));
+    const asked = from ? survey.normals(from) : now;
+    const after = angles(now, targetNormals(map, asked));
+    return overlay('Angle to the style, after', after, anglesBefore(measured));
   },
 };
 
@@ -71,9 +40,9 @@ function overlay(title: string, values: Float32Array<ArrayBuffer>, before: Float
   return { title, summary, scale: { kind: 'rising', end, unit: '°' }, values };
 }
 
-function anglesBefore(document: WhittleDocument): Float32Array<ArrayBuffer> {
-  const normals = surveyOf(document.mesh).normals(document.mesh.positions);
-  return angles(normals, targetNormals(targetsOf(document)!.map, normals));
+function anglesBefore(measured: Measured): Float32Array<ArrayBuffer> {
+  const normals = surveyOf(measured.mesh).normals(measured.mesh.positions);
+  return angles(normals, targetNormals(measured.targets!.map, normals));
 }
 
 let lastLookup: { readonly map: GaussMap; readonly target: GaussLookup } | null = null;

@@ -1,5 +1,4 @@
-import { shownPositions, type WhittleDocument } from '../editor/project.ts';
-import type { Measure } from './measure.ts';
+import { type Measure, type Measured, positionsNow } from './measure.ts';
 import { surveyOf } from './mesh-survey.ts';
 import { percent, quantile, roundedUp } from './statistics.ts';
 
@@ -8,9 +7,9 @@ export const curvatureBefore: Measure = {
   name: 'curvature-before',
   label: 'Curvature before',
   suits: () => true,
-  of: (document) => {
-    const before = curvatureOf(document, document.mesh.positions);
-    const { limit, ...picture } = pictureOf(document, before, before);
+  of: (measured) => {
+    const before = curvatureOf(measured, measured.mesh.positions);
+    const { limit, ...picture } = pictureOf(measured, before, before);
     const flat = percent(flatShare(before, limit));
     return {
       ...picture,
@@ -25,11 +24,11 @@ export const curvatureAfter: Measure = {
   name: 'curvature-after',
   label: 'Curvature after',
   before: 'curvature-before',
-  suits: ({ result }) => result !== null,
-  of: (document) => {
-    const before = curvatureOf(document, document.mesh.positions);
-    const after = curvatureOf(document, shownPositions(document));
-    const { limit, ...picture } = pictureOf(document, after, before);
+  suits: ({ positions }) => positions !== null,
+  of: (measured) => {
+    const before = curvatureOf(measured, measured.mesh.positions);
+    const after = curvatureOf(measured, positionsNow(measured));
+    const { limit, ...picture } = pictureOf(measured, after, before);
     const [was, flat] = [before, after].map((curvature) => percent(flatShare(curvature, limit)));
     return {
       ...picture,
@@ -44,7 +43,7 @@ export const curvatureAfter: Measure = {
  * On one scale for before and after, wide enough for all but the sharpest places of before. What is below the `limit` is nearly
  * flat: a tenth of that scale, for no scan is smoother, or what nobody would call round.
  */
-function pictureOf({ mesh }: WhittleDocument, curvature: Float64Array, before: Float64Array) {
+function pictureOf({ mesh }: Measured, curvature: Float64Array, before: Float64Array) {
   const values = surveyOf(mesh).spread(curvature);
   const end = roundedUp(Math.max(0.5, quantile(before.map(Math.abs), 0.9)));
   const scale = { kind: 'signed', end, unit: ' × a ball’s' } as const;
@@ -53,7 +52,7 @@ function pictureOf({ mesh }: WhittleDocument, curvature: Float64Array, before: F
 }
 
 /** In those of a ball whose surface is as large as the file's shape, #V: the same at any size. */
-function curvatureOf({ mesh }: WhittleDocument, positions: Float64Array): Float64Array {
+function curvatureOf({ mesh }: Measured, positions: Float64Array): Float64Array {
   const survey = surveyOf(mesh);
   const perBall = survey.area / (4 * Math.PI);
   return survey.curvature(positions).map((value) => value * perBall);

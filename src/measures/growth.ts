@@ -1,5 +1,4 @@
-import { shownPositions, type WhittleDocument } from '../editor/project.ts';
-import type { Measure } from './measure.ts';
+import { type Measure, type Measured, positionsNow } from './measure.ts';
 import { surveyOf } from './mesh-survey.ts';
 import { times } from './scale.ts';
 import { quantile } from './statistics.ts';
@@ -14,9 +13,9 @@ const ends = [1.05, 1.1, 1.2, 1.5, 2, 3, 5];
 export const growth: Measure = {
   name: 'growth',
   label: 'Size',
-  suits: ({ result }) => result !== null,
-  of: (document) => {
-    const factors = growthOf(document);
+  suits: ({ positions }) => positions !== null,
+  of: (measured) => {
+    const factors = growthOf(measured);
     const spread = quantile(
       factors.map((factor) => Math.abs(Math.log(factor))),
       0.95,
@@ -26,15 +25,15 @@ export const growth: Measure = {
       title: 'How much it grew',
       summary: `mostly ${times(quantile(factors, 0.05))} to ${times(quantile(factors, 0.95))}`,
       scale: { kind: 'factor', end },
-      values: surveyOf(document.mesh).spread(factors),
+      values: surveyOf(measured.mesh).spread(factors),
     };
   },
 };
 
 /** #V; NaN where there was no area. */
-function growthOf(document: WhittleDocument): Float64Array {
-  const survey = surveyOf(document.mesh);
-  const before = survey.ringAreas(document.mesh.positions);
-  const after = survey.ringAreas(shownPositions(document));
+function growthOf(measured: Measured): Float64Array {
+  const survey = surveyOf(measured.mesh);
+  const before = survey.ringAreas(measured.mesh.positions);
+  const after = survey.ringAreas(positionsNow(measured));
   return after.map((area, v) => (before[v]! > 0 ? Math.sqrt(area / before[v]!) : Number.NaN));
 }

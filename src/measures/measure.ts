@@ -1,5 +1,24 @@
-import type { WhittleDocument } from '../editor/project.ts';
+import type { Mesh } from '../mesh/mesh.ts';
+import type { GaussMap } from '../methods/values/gauss-map.ts';
 import type { Scale } from './scale.ts';
+
+/** What can be measured of, as plain data. */
+export interface Measured {
+  readonly mesh: Mesh;
+  /** The shape that it has now, #P×3; null while nothing was done to it. */
+  readonly positions: Float64Array | null;
+  /** What normals are drawn to; null where nothing tells. */
+  readonly targets: NormalTargets | null;
+  /** λ of each position, #P; null where there is only the one λ. */
+  readonly strengths: ArrayLike<number> | null;
+}
+
+/** A style, and whose normals its targets are looked up from. */
+export interface NormalTargets {
+  readonly map: GaussMap;
+  /** #P×3: the shape that the targets were looked up from once; null where they follow the shape that there is now. */
+  readonly from: Float64Array | null;
+}
 
 /** What the colours on the mesh can show; `none` is the clay or the file's own colours. */
 export type OverlayName =
@@ -31,15 +50,15 @@ export interface Measure {
   readonly name: Exclude<OverlayName, 'none'>;
   /** In the panel, where there is little room. */
   readonly label: string;
-  /** Of the same thing before anything was done, to be shown with the file's own shape. */
+  /** The measure of the same thing before anything was done, to be shown with the file's own shape. */
   readonly before?: Measure['name'];
-  /** Whether it makes sense of this document. */
-  readonly suits: (document: WhittleDocument) => boolean;
-  /** Measures a document that it suits. */
-  readonly of: (document: WhittleDocument) => Overlay;
+  /** Whether it makes sense here. */
+  readonly suits: (measured: Measured) => boolean;
+  /** Measures what it suits. */
+  readonly of: (measured: Measured) => Overlay;
 }
 
-/** The diagonal of the file's box: what lengths are told in. */
-export function sizeOf({ report: { min, max } }: WhittleDocument): number {
-  return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]) || 1;
+/** The shape that there is now. */
+export function positionsNow({ mesh, positions }: Measured): Float64Array {
+  return positions ?? mesh.positions;
 }

@@ -1,8 +1,8 @@
 import { ringAreas } from '../mesh/areas.ts';
 import { gaussianCurvature, type Rings, ringsOf } from '../mesh/curvature.ts';
-import type { Mesh } from '../mesh/mesh.ts';
+import type { Mesh, Weld } from '../mesh/mesh.ts';
 import { NormalWriter } from '../mesh/normals.ts';
-import { gather, type Weld, weldOf } from '../mesh/weld.ts';
+import { gather, weldOf } from '../mesh/weld.ts';
 
 const surveys = new WeakMap<Mesh, Survey>();
 
@@ -55,7 +55,19 @@ export class Survey {
     );
   }
 
-  /** Of the file's own shape. */
+  /** The diagonal of the file's own box: what lengths are told in. */
+  get diagonal(): number {
+    const { positions } = this.#mesh;
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < positions.length; i++) {
+      low[i % 3] = Math.min(low[i % 3]!, positions[i]!);
+      high[i % 3] = Math.max(high[i % 3]!, positions[i]!);
+    }
+    return Math.hypot(...high.map((top, axis) => top - low[axis]!));
+  }
+
+  /** Area of the file's own shape. */
   get area(): number {
     return this.ringAreas(this.#mesh.positions).reduce((sum, area) => sum + area, 0) / 3;
   }

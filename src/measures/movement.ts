@@ -1,14 +1,14 @@
-import { shownPositions, type WhittleDocument } from '../editor/project.ts';
-import { type Measure, sizeOf } from './measure.ts';
+import { type Measure, type Measured, positionsNow } from './measure.ts';
+import { surveyOf } from './mesh-survey.ts';
 import { mean, quantile } from './statistics.ts';
 
 /** How far every place is from where the file has it, as a share of the mesh's size. */
 export const movement: Measure = {
   name: 'movement',
   label: 'Movement',
-  suits: ({ result }) => result !== null,
-  of: (document) => {
-    const values = distances(document);
+  suits: ({ positions }) => positions !== null,
+  of: (measured) => {
+    const values = distances(measured);
     const end = Number(Math.max(0.1, quantile(values, 0.99)).toPrecision(2));
     return {
       title: 'How far it moved',
@@ -19,10 +19,10 @@ export const movement: Measure = {
   },
 };
 
-function distances(document: WhittleDocument): Float32Array<ArrayBuffer> {
-  const before = document.mesh.positions;
-  const now = shownPositions(document);
-  const perSize = 100 / sizeOf(document);
+function distances(measured: Measured): Float32Array<ArrayBuffer> {
+  const before = measured.mesh.positions;
+  const now = positionsNow(measured);
+  const perSize = 100 / (surveyOf(measured.mesh).diagonal || 1);
   const values = new Float32Array(before.length / 3);
   for (let p = 0, i = 0; p < values.length; p++, i += 3)
     values[p] =

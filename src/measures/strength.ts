@@ -1,4 +1,3 @@
-import type { WhittleDocument } from '../editor/project.ts';
 import type { Measure } from './measure.ts';
 import { surveyOf } from './mesh-survey.ts';
 import { mean, quantile, roundedUp } from './statistics.ts';
@@ -7,10 +6,10 @@ import { mean, quantile, roundedUp } from './statistics.ts';
 export const strength: Measure = {
   name: 'strength',
   label: 'Strength',
-  suits: (document) => strengthsOf(document) !== null,
-  of: (document) => {
-    const given = strengthsOf(document)!;
-    const survey = surveyOf(document.mesh);
+  suits: ({ strengths }) => strengths !== null,
+  of: (measured) => {
+    const given = measured.strengths!;
+    const survey = surveyOf(measured.mesh);
     const sums = new Float64Array(given.length);
     const counts = new Float64Array(given.length);
     survey.vertexOfPosition.forEach((vertex, p) => {
@@ -26,10 +25,3 @@ export const strength: Measure = {
     };
   },
 };
-
-/** One number for each position of the file; null where there is only the one λ. */
-function strengthsOf({ mesh, parameters }: WhittleDocument): ArrayLike<number> | null {
-  const { lambdaPerVertex: given } = parameters;
-  const isList = Array.isArray(given) || given instanceof Float64Array;
-  return isList && given.length === mesh.positions.length / 3 ? given : null;
-}

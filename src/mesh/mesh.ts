@@ -1,5 +1,3 @@
-import type { Weld } from './weld.ts';
-
 /**
  * A triangle mesh as its file describes it: positions in the file's own order, units and place. Polygons are split into
  * triangles; vertices that a file stores several times (seams, STL corners) stay apart here, see {@link Weld}.
@@ -18,6 +16,19 @@ export interface Mesh {
    * picture is at v = 1 whatever the format says. NaN at corners that have none.
    */
   readonly uvs?: Float32Array<ArrayBuffer>;
+}
+
+/**
+ * Which positions of a mesh are one vertex for the solver: those that its file has in one place. A weld is made once a file and
+ * carried on by every mesh that steps make of it, so that two vertices that a step brought together stay two.
+ */
+export interface Weld {
+  /** #P: the welded vertex of each source position. */
+  readonly vertexOfPosition: Uint32Array<ArrayBuffer>;
+  /** #V: the first source position of each welded vertex, rising. */
+  readonly positionOfVertex: Uint32Array<ArrayBuffer>;
+  /** #F×3 indices of welded vertices, same faces in the same order as the source. */
+  readonly triangles: Uint32Array<ArrayBuffer>;
 }
 
 /** What the core says of a mesh once it has looked at it. Counts are those of the welded mesh, faces as given. */

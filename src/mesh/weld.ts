@@ -1,17 +1,4 @@
-import type { Mesh } from './mesh.ts';
-
-/**
- * Which positions of a mesh are one vertex for the solver: those that its file has in one place. A weld is made once a file and
- * carried on by every mesh that steps make of it, so that two vertices that a step brought together stay two.
- */
-export interface Weld {
-  /** #P: the welded vertex of each source position. */
-  readonly vertexOfPosition: Uint32Array<ArrayBuffer>;
-  /** #V: the first source position of each welded vertex, rising. */
-  readonly positionOfVertex: Uint32Array<ArrayBuffer>;
-  /** #F×3 indices of welded vertices, same faces in the same order as the source. */
-  readonly triangles: Uint32Array<ArrayBuffer>;
-}
+import type { Mesh, Weld } from './mesh.ts';
 
 const welds = new WeakMap<Pick<Mesh, 'positions' | 'triangles'>, Weld>();
 

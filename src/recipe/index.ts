@@ -1,5 +1,11 @@
 export { formatRecipe, parseRecipe, type Recipe, type RecipeStep } from './recipe.ts';
-export { type Asset, Resolver, type Surroundings, type TexturedMesh } from './resolve.ts';
+export {
+  type Asset,
+  type FlowListener,
+  Resolver,
+  type Surroundings,
+  type TexturedMesh,
+} from './resolve.ts';
 export {
   type RecipeRun,
   type RunOptions,

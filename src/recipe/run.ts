@@ -3,6 +3,7 @@ import type { Outcome, Start } from '../engine/protocol.ts';
 import { at } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { movedMesh } from '../mesh/weld.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
 import type { Recipe, RecipeStep } from './recipe.ts';
 import { Resolver, type Surroundings, type TexturedMesh } from './resolve.ts';
 
@@ -16,6 +17,8 @@ export interface StepRun {
   /** Reading styles and images, welding and validating are preparation too. */
   readonly milliseconds: { readonly prepare: number; readonly solve: number };
   readonly warnings: readonly string[];
+  /** The values as the engine took them: Gauss maps and slopes in place of names. */
+  readonly resolved: ParameterValues;
   /** #P×3 in the file's frame and order: the rest shape of the next step. */
   readonly positions: Float64Array<ArrayBuffer>;
 }
@@ -44,10 +47,9 @@ export async function runStep(
   step: RecipeStep,
   { signal, start = 'rest', frames = false, onFrame, place = '' }: StepOptions = {},
 ): Promise<StepRun> {
-  const began = performance.now();
+  const reading = stopwatch();
   const { method, parameters, warnings } = await resolver.resolve(step, surface, place);
-  await at(place, engine.inspect(surface.mesh));
-  const loading = performance.now() - began;
+  const read = reading();
   const settings = { method, parameters, start, frames };
   const { milliseconds, ...solved } = await at(
     place,
@@ -56,7 +58,8 @@ export async function runStep(
   return {
     ...solved,
     method,
-    milliseconds: { prepare: loading + milliseconds.prepare, solve: milliseconds.solve },
+    resolved: parameters,
+    milliseconds: { prepare: read + milliseconds.prepare, solve: milliseconds.solve },
     warnings: [...solved.warnings, ...warnings],
   };
 }
@@ -103,6 +106,9 @@ export async function runRecipe(
   for (const [index, step] of steps.entries()) {
     const place = steps.length === 1 ? name : `${name && `${name}, `}step ${index + 1} (${step.method})`;
     const onFrame = onStep?.(step, index);
+    const loading = stopwatch();
+    await at(place, engine.inspect(mesh));
+    const loaded = loading();
     const run = await runStep(engine, resolver, { ...surface, mesh }, step, {
       signal,
       frames,
@@ -110,9 +116,16 @@ export async function runRecipe(
       place,
     });
     engine.release(mesh);
-    runs.push(run);
+    const { prepare, solve } = run.milliseconds;
+    runs.push({ ...run, milliseconds: { prepare: loaded + prepare, solve } });
     mesh = movedMesh(mesh, run.positions);
     if (run.outcome === 'cancelled') break;
   }
   return { mesh, input, steps: runs };
+}
+
+/** Milliseconds since this call. */
+function stopwatch(): () => number {
+  const began = performance.now();
+  return () => performance.now() - began;
 }

@@ -1,30 +1,35 @@
 import { describe, expect, it } from 'vitest';
-import type { WhittleDocument } from '../../src/editor/project.ts';
-import { measure, measuresFor, type OverlayName } from '../../src/measures/index.ts';
+import { measuredOf } from '../../src/editor/measured.ts';
+import type { Assets, Project } from '../../src/editor/project.ts';
+import { inputsOf } from '../../src/editor/project.ts';
+import { newStep } from '../../src/editor/steps.ts';
+import { measure as measureOf, measuresFor, type OverlayName } from '../../src/measures/index.ts';
 import { histogram, rangeOf, type Scale, shareOf, ticksOf } from '../../src/measures/scale.ts';
 import { mean, quantile, roundedUp } from '../../src/measures/statistics.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
 import { blank, ramp, rampColors } from '../../web/app/color-ramp.ts';
 import { followOverlay } from '../../web/app/overlay-paint.ts';
-import { Store } from '../../web/app/store.ts';
+import { newPageStore } from '../../web/app/page-state.ts';
 import { icosphere, type TestMesh } from '../fixtures/meshes.ts';
 import { openCylinder, torus } from '../fixtures/shapes.ts';
 
-/** What nothing here looks at. */
-const counts = {
-  ...{ vertices: 0, faces: 0, components: 1, boundaryEdges: 0, nonManifoldEdges: 0 },
-  ...{ degenerateFaces: 0, duplicateFaces: 0, isolatedVertices: 0 },
-};
+/** What a step of the project says, and the values that the engine had for it. */
+interface Said {
+  readonly method?: string;
+  readonly parameters?: ParameterValues;
+  readonly resolved?: ParameterValues;
+}
 
-/** A document of a mesh, shaped by a map of its places. */
-function documentOf(
+/** A project of a mesh with one step, shaped by a map of its places. */
+function projectOf(
   { positions, triangles }: TestMesh,
-  change: Partial<WhittleDocument> = {},
-  place?: (x: number, i: number) => number,
-): WhittleDocument {
+  { method = 'cubic', parameters = {}, resolved = parameters }: Said = {},
+  place?: (x: number, i: number, all: Float64Array) => number,
+): Project {
   const mesh: Mesh = { positions, triangles };
-  const end = (pick: (...all: number[]) => number) =>
-    [0, 1, 2].map((axis) => pick(...positions.filter((_, i) => i % 3 === axis))) as [number, number, number];
+  const step = newStep({ method, parameters });
+  const assets: Assets = new Map();
   const result = place && {
     positions: positions.map(place) as Float64Array<ArrayBuffer>,
     state: 'settled' as const,
@@ -32,22 +37,24 @@ function documentOf(
     iterations: 1,
     energy: [],
     milliseconds: 1,
+    warnings: [],
+    of: inputsOf(step, positions, assets),
+    resolved,
   };
   return {
     source: { bytes: Uint8Array.of(), name: 'a.obj', format: 'obj' },
     mesh,
-    report: { ...counts, min: end(Math.min), max: end(Math.max) },
-    method: 'cubic',
-    parameters: {},
-    style: null,
-    directions: null,
-    picture: null,
-    result: result ?? null,
-    ...change,
+    report: {} as never,
+    steps: [{ ...step, result: result ?? null }],
+    active: step.id,
+    assets,
   };
 }
 
-const names = (document: WhittleDocument) => measuresFor(document).map(({ name }) => name);
+const measure = (project: Project, name: OverlayName, comparing = false) =>
+  measureOf(measuredOf(project), name, comparing);
+
+const names = (project: Project) => measuresFor(measuredOf(project)).map(({ name }) => name);
 const rising: Scale = { kind: 'rising', end: 5, unit: '°' };
 const signed: Scale = { kind: 'signed', end: 4, unit: '' };
 const factor: Scale = { kind: 'factor', end: 2 };
@@ -55,28 +62,28 @@ const factor: Scale = { kind: 'factor', end: 2 };
 describe('what is offered', () => {
   it('is what there is: after, movement and size of a result, angles of a style, strength of a list', () => {
     const ball = icosphere(1);
-    expect(names(documentOf(ball))).toEqual(['angle-before', 'curvature-before']);
-    expect(names(documentOf(ball, {}, (x) => x))).toEqual([
+    expect(names(projectOf(ball))).toEqual(['angle-before', 'curvature-before']);
+    expect(names(projectOf(ball, {}, (x) => x))).toEqual([
       ...['angle-before', 'angle-after', 'curvature-before', 'curvature-after', 'movement', 'growth'],
     ]);
-    expect(names(documentOf(ball, { method: 'arap' }))).toEqual(['curvature-before']);
-    expect(names(documentOf(ball, { parameters: { polyhedron: 'rhombic-dodecahedron' } }))).toEqual([
+    expect(names(projectOf(ball, { method: 'arap' }))).toEqual(['curvature-before']);
+    expect(names(projectOf(ball, { parameters: { polyhedron: 'rhombic-dodecahedron' } }))).toEqual([
       'curvature-before',
     ]);
     const each = new Float64Array(ball.positions.length / 3).fill(2);
-    expect(names(documentOf(ball, { parameters: { lambdaPerVertex: each } }))).toContain('strength');
-    expect(names(documentOf(ball, { parameters: { lambdaPerVertex: [1, 2] } }))).not.toContain('strength');
+    expect(names(projectOf(ball, { parameters: { lambdaPerVertex: each } }))).toContain('strength');
+    expect(names(projectOf(ball, { parameters: { lambdaPerVertex: [1, 2] } }))).not.toContain('strength');
   });
 
   it('measures nothing else', () => {
-    const document = documentOf(icosphere(1));
+    const project = projectOf(icosphere(1));
     for (const name of ['none', 'angle-after', 'movement', 'growth', 'strength'] as const)
-      expect(measure(document, name)).toBeNull();
+      expect(measure(project, name)).toBeNull();
   });
 
   it('shows the file’s own while that is on the screen', () => {
-    const document = documentOf(icosphere(1), {}, (x, i) => (i % 3 === 0 ? 2 * x : x));
-    const name = (one: OverlayName, comparing: boolean) => measure(document, one, comparing)!.title;
+    const project = projectOf(icosphere(1), {}, (x, i) => (i % 3 === 0 ? 2 * x : x));
+    const name = (one: OverlayName, comparing: boolean) => measure(project, one, comparing)!.title;
     expect(name('curvature-after', false)).toContain('after');
     expect(name('curvature-after', true)).toContain('before');
     expect(name('angle-after', true)).toContain('before');
@@ -86,8 +93,8 @@ describe('what is offered', () => {
 
 describe('angles', () => {
   it('are told on one scale before and after', () => {
-    const document = documentOf(icosphere(3), {}, (x, i) => (i % 3 === 0 ? 1.5 * x : x));
-    const [before, after] = [measure(document, 'angle-before')!, measure(document, 'angle-after')!];
+    const project = projectOf(icosphere(3), {}, (x, i) => (i % 3 === 0 ? 1.5 * x : x));
+    const [before, after] = [measure(project, 'angle-before')!, measure(project, 'angle-after')!];
     expect(after.scale).toEqual(before.scale);
     // At most the angle between a corner of a cube and its sides.
     expect(Math.max(...before.values)).toBeLessThan(54.75);
@@ -98,7 +105,7 @@ describe('angles', () => {
 
   it('go to targets of the input, or of the output where those follow', () => {
     const map = { kind: 'closest', normals: Float64Array.of(1, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, -1) } as const;
-    const style = { id: 'a', name: 'a', source: 'a', map };
+
     const plate = {
       positions: Float64Array.of(0, 0, 0, 0, 1, 0, -0.5, 0, 1),
       triangles: Uint32Array.of(0, 1, 2),
@@ -106,8 +113,12 @@ describe('angles', () => {
     // Its normal is nearer to x; sheared, to z.
     const shear = (x: number, i: number) => (i === 6 ? 1.5 * -2 : x);
     const angle = (dynamicTargets: boolean) => {
-      const document = documentOf(plate, { method: 'analogy', style, parameters: { dynamicTargets } }, shear);
-      return measure(document, 'angle-after')!.values[0]!;
+      const project = projectOf(
+        plate,
+        { method: 'analogy', parameters: { dynamicTargets }, resolved: { style: map } },
+        shear,
+      );
+      return measure(project, 'angle-after')!.values[0]!;
     };
     expect(angle(false)).toBeCloseTo((Math.atan(3) * 180) / Math.PI, 3);
     expect(angle(true)).toBeCloseTo((Math.atan(1 / 3) * 180) / Math.PI, 3);
@@ -116,8 +127,8 @@ describe('angles', () => {
 
 describe('curvature', () => {
   it('is told in that of a ball of the same surface, on both sides of 0', () => {
-    const document = documentOf(torus(60, 30), {}, (x) => 7 * x);
-    const [before, after] = [measure(document, 'curvature-before')!, measure(document, 'curvature-after')!];
+    const project = projectOf(torus(60, 30), {}, (x) => 7 * x);
+    const [before, after] = [measure(project, 'curvature-before')!, measure(project, 'curvature-after')!];
     const perBall = (4 * Math.PI ** 2 * 0.4) / (4 * Math.PI);
     expect(Math.max(...before.values)).toBeCloseTo(perBall / (0.4 * 1.4), 0);
     expect(Math.min(...before.values)).toBeCloseTo(-perBall / (0.4 * 0.6), 0);
@@ -130,24 +141,24 @@ describe('curvature', () => {
   });
 
   it('knows what can be unrolled, and leaves the boundary blank', () => {
-    const roll = documentOf(openCylinder(30, 10), {}, (x, i) => (i % 3 === 2 ? x : x * (1 + 0.4 * (i % 2))));
+    const roll = projectOf(openCylinder(30, 10), {}, (x, i) => (i % 3 === 2 ? x : x * (1 + 0.4 * (i % 2))));
     const overlay = measure(roll, 'curvature-after')!;
     expect(overlay.verdict).toBe(
       'Nearly flat, under 0.2 × a ball’s: 100 % of the vertices before, 100 % after.',
     );
     expect(overlay.blank).toBe('boundary');
     expect(overlay.values.filter(Number.isNaN)).toHaveLength(60);
-    expect(measure(documentOf(icosphere(2)), 'curvature-before')).toMatchObject({
+    expect(measure(projectOf(icosphere(2)), 'curvature-before')).toMatchObject({
       summary: '0 % nearly flat',
     });
-    expect(measure(documentOf(icosphere(2)), 'curvature-before')).not.toHaveProperty('blank');
+    expect(measure(projectOf(icosphere(2)), 'curvature-before')).not.toHaveProperty('blank');
   });
 });
 
 describe('size', () => {
   it('is the factor that everything grew by', () => {
     const overlay = measure(
-      documentOf(icosphere(2), {}, (x) => 1.4 * x),
+      projectOf(icosphere(2), {}, (x) => 1.4 * x),
       'growth',
     )!;
     for (const value of overlay.values) expect(value).toBeCloseTo(1.4, 5);
@@ -162,7 +173,7 @@ describe('size', () => {
       i % 3 === 2 ? x : x * (0.6 + 0.4 * all[i - (i % 3) + 2]!);
     const pipe = openCylinder(40, 21);
     const overlay = measure(
-      documentOf(pipe, {}, (x, i) => flare(x, i, pipe.positions)),
+      projectOf(pipe, {}, (x, i) => flare(x, i, pipe.positions)),
       'growth',
     )!;
     expect(overlay.values[0]!).toBeLessThan(0.85);
@@ -175,7 +186,7 @@ describe('strength by vertex', () => {
     const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
     const seamed = { positions, triangles: Uint32Array.of(0, 1, 2, 3, 4, 5) };
     const parameters = { lambdaPerVertex: [0, 1, 2, 3, 4, 0] };
-    const overlay = measure(documentOf(seamed, { parameters }), 'strength')!;
+    const overlay = measure(projectOf(seamed, { parameters }), 'strength')!;
     expect([...overlay.values]).toEqual([0, 2, 1, 2, 4, 1]);
     expect(overlay.scale).toEqual({ kind: 'rising', end: 4, unit: '' });
   });
@@ -227,13 +238,13 @@ describe('colours', () => {
   });
 });
 
-it('paints when the document, the choice or the comparing changes, and only then', () => {
-  const store = new Store();
+it('paints when the project, the choice or the comparing changes, and only then', () => {
+  const store = newPageStore();
   let paints = 0;
   followOverlay(store, { setColors: () => paints++ });
-  const document = documentOf(icosphere(1), {}, (x, i) => (i % 3 === 1 ? 1.2 * x : x));
+  const project = projectOf(icosphere(1), {}, (x, i) => (i % 3 === 1 ? 1.2 * x : x));
   const look = store.state.look;
-  store.set({ document });
+  store.set({ project });
   expect(paints).toBe(0);
   store.set({ look: { ...look, overlay: 'curvature-after' } });
   store.set({ activity: { kind: 'idle' } });

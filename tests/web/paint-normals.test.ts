@@ -1,17 +1,13 @@
 import { Quaternion } from 'three';
 import { describe, expect, it } from 'vitest';
-import { Workspace } from '../../src/editor/editor.ts';
-import { Display } from '../../src/editor/presenter.ts';
-import { Runner } from '../../src/editor/task.ts';
 import { readPng } from '../../src/inputs/images/png.ts';
 import { blankMap, mapOfPixels } from '../../src/inputs/styles/captures.ts';
 import { lookup } from '../../src/inputs/styles/gauss-lookup.ts';
 import { distance, dot, row, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import { BrushSurface, Coverage, falloff, Stroke } from '../../src/viewer/brush-surface.ts';
-import { Store } from '../../web/app/store.ts';
 import { inWords, nudged, pointed, toFile, toSeen } from '../../web/app/view-directions.ts';
-import { Painter } from '../../web/tools/paint-normals.ts';
-import { FakeEngine } from '../fixtures/fake-engine.ts';
+import { NormalPainter } from '../../web/tools/paint-normals.ts';
+import { headlessEditor, look, quiet } from '../fixtures/headless-editor.ts';
 
 const ball = () => {
   const { points, triangles } = blankMap();
@@ -61,38 +57,29 @@ describe('a brush', () => {
 });
 
 async function easel() {
-  const store = new Store();
-  const display = new Display(
-    null,
-    () => 0,
-    async () => {},
-  );
-  const workspace = new Workspace(store, new Runner(new FakeEngine()), display);
-  await workspace.open(Uint8Array.of(1), 'a.obj');
-  const painter = new Painter(store, workspace, (run) => run());
-  const rest = async () => {
-    for (let turns = 0; turns < 50; turns++) await new Promise((resolve) => setTimeout(resolve, 0));
-  };
-  return { store, workspace, painter, rest };
+  const { store, editor } = headlessEditor();
+  await editor.open(Uint8Array.of(1), 'a.obj');
+  const painter = new NormalPainter(store, editor, (run) => run());
+  return { store, editor, painter, rest: () => quiet(store) };
 }
 
 describe('the painter', () => {
   const at = unit([0.5, 0.2, 0.8]);
 
   it('paints its direction where it touches and nowhere else, mirrored to the back', async () => {
-    const { painter, workspace, rest } = await easel();
+    const { painter, rest } = await easel();
     painter.setBrush({ direction: unit([0, 1, 1]), size: 20, hardness: 1, mirror: true });
     painter.begin(at);
     painter.end();
     await rest();
-    const target = lookup(workspace.document!.style!.map);
+    const target = lookup(painter.map);
     expect(dot(target(at), unit([0, 1, 1]))).toBeCloseTo(1, 9);
     expect(dot(target([at[0], at[1], -at[2]]), unit([0, 1, -1]))).toBeCloseTo(1, 9);
     expect(dot(target([-1, 0, 0]), [-1, 0, 0])).toBeCloseTo(1, 9);
   });
 
   it('makes one entry of a stroke; undo takes it off the ball', async () => {
-    const { painter, workspace, store, rest } = await easel();
+    const { painter, editor, store, rest } = await easel();
     const before = painter.map;
     painter.begin(at);
     painter.move(unit([0.4, 0.4, 0.8]));
@@ -101,10 +88,13 @@ describe('the painter', () => {
     painter.end();
     await rest();
     expect(store.state.history.past.map(({ label }) => label)).toEqual(['Stroke']);
-    expect(workspace.document).toMatchObject({ method: 'analogy', style: { source: 'painted.png' } });
-    workspace.undo();
+    expect(look(editor.project)).toMatchObject({
+      method: 'analogy',
+      parameters: { style: 'painted.png' },
+    });
+    editor.undo();
     expect(painter.map.normals).toEqual(before.normals);
-    workspace.redo();
+    editor.redo();
     painter.clear();
     await rest();
     expect(painter.map.normals).toEqual(blankMap().normals);
@@ -116,7 +106,7 @@ describe('the painter', () => {
     painter.begin(at);
     painter.end();
     await rest();
-    const read = mapOfPixels(readPng(painter.picture(), 'painted.png'));
+    const read = mapOfPixels(readPng(painter.capture(), 'painted.png'));
     const [saved, painted] = [lookup(read), lookup(painter.map)];
     for (const point of [at, unit([0.2, 0.2, 0.9]), unit([0.5, 0.2, -0.8])])
       expect(dot(saved(point), painted(point))).toBeGreaterThan(0.999);

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { WhittleDocument } from '../../src/editor/project.ts';
+import type { Project } from '../../src/editor/project.ts';
+import { newStep } from '../../src/editor/steps.ts';
 import { remarks } from '../../src/mesh/report-sentences.ts';
 import { methods } from '../../src/methods/registry.ts';
 import { startingLambda } from '../../src/methods/starting-lambda.ts';
@@ -11,11 +12,13 @@ import { fromTravel, toTravel, travel } from '../../web/panels/slider-scale.ts';
 import { curve } from '../../web/panels/sparkline.ts';
 
 const lambda = methods[0]!.parameters.find(({ name }) => name === 'lambda') as NumberParameter;
-const document = {
+const step = newStep({ method: 'cubic', parameters: { lambda: 0.35, tolerance: 3e-3, maxIterations: 50 } });
+const project = {
   source: { name: "Ann's rabbit.glb", format: 'glb' },
-  method: 'cubic',
-  parameters: { lambda: 0.35, tolerance: 3e-3, maxIterations: 50 },
-} as unknown as WhittleDocument;
+  steps: [step],
+  active: step.id,
+} as unknown as Project;
+const stack = { ...project, steps: [step, newStep({ method: 'developable', parameters: {} })] };
 
 describe('what is offered', () => {
   it('leaves out methods with nothing to set here', () => {
@@ -48,12 +51,19 @@ describe('the slider', () => {
 
 describe('names and commands', () => {
   it('names the export after file and method', () => {
-    expect(exportName(document, ownFormat(document).ending)).toBe("Ann's rabbit-cubic.glb");
+    expect(exportName(project, ownFormat(project).ending)).toBe("Ann's rabbit-cubic.glb");
+    expect(exportName(stack, '.obj')).toBe("Ann's rabbit-whittled.obj");
   });
 
   it('writes a command that a shell reads', () => {
-    expect(commandLine(document)).toBe(
+    expect(commandLine(project)).toBe(
       "npx whittle cubic 'Ann'\\''s rabbit.glb' --lambda 0.35 --max-iterations 50 --out 'Ann'\\''s rabbit-cubic.glb'",
+    );
+  });
+
+  it('sends a stack of several steps by its recipe', () => {
+    expect(commandLine(stack)).toBe(
+      "npx whittle run 'Ann'\\''s rabbit.whittle.json' 'Ann'\\''s rabbit.glb' --out 'Ann'\\''s rabbit-whittled.glb'",
     );
   });
 });

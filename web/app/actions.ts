@@ -1,78 +1,81 @@
 import { Quaternion } from 'three';
-import type { Workspace } from '../../src/editor/editor.ts';
-import type { Beginning } from '../../src/editor/open-file.ts';
-import type { Display } from '../../src/editor/presenter.ts';
+import type { Beginning, Editor } from '../../src/editor/editor.ts';
+import type { Presenter } from '../../src/editor/presenter.ts';
+import { activeStep } from '../../src/editor/project.ts';
+import { imageParameter } from '../../src/editor/starting-step.ts';
 import { type FormatInfo, fileNameEndings } from '../../src/io/index.ts';
 import { findMethod } from '../../src/methods/registry.ts';
+import { formatRecipe } from '../../src/recipe/index.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
-import type { Painter } from '../tools/paint-normals.ts';
+import { type NormalPainter, paintedName } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
-import { commandLine, exportName, ownFormat } from './export.ts';
-import type { PictureDesk } from './image-actions.ts';
-import { obstacle, takesPicture } from './offered-methods.ts';
-import { pictureEndings, pictureNames } from './read-image.ts';
+import { commandLine, exportName, ownFormat, recipeName } from './export.ts';
+import type { ImageActions } from './image-actions.ts';
+import { obstacle } from './offered-methods.ts';
+import type { Look, PageStore } from './page-state.ts';
+import { imageEndings, imageNames } from './read-image.ts';
 import { fetchSample, type Sample, samples } from './samples.ts';
 import { copyText, saveFile } from './save.ts';
-import type { Look, Store } from './store.ts';
-import type { StyleDesk } from './style-actions.ts';
+import type { StyleActions } from './style-actions.ts';
 import type { ViewTurn } from './view-directions.ts';
 
 export interface PageParts {
-  readonly store: Store;
-  readonly workspace: Workspace;
-  readonly styles: StyleDesk;
-  readonly pictures: PictureDesk;
-  readonly painter: Painter;
-  readonly display: Display;
+  readonly store: PageStore;
+  readonly editor: Editor;
+  readonly styles: StyleActions;
+  readonly images: ImageActions;
+  readonly painter: NormalPainter;
+  readonly presenter: Presenter;
   /** Null where the browser draws no 3D. */
   readonly viewer: Viewer | null;
 }
 
 /** All that buttons, keys and drops can ask for. Panels see this and the store, nothing else. */
 export class Page {
-  readonly store: Store;
-  readonly workspace: Workspace;
-  readonly styles: StyleDesk;
-  readonly pictures: PictureDesk;
-  readonly painter: Painter;
-  readonly #display: Display;
+  readonly store: PageStore;
+  readonly editor: Editor;
+  readonly styles: StyleActions;
+  readonly images: ImageActions;
+  readonly painter: NormalPainter;
+  readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
 
-  constructor({ store, workspace, styles, pictures, painter, display, viewer }: PageParts) {
+  constructor({ store, editor, styles, images, painter, presenter, viewer }: PageParts) {
     this.store = store;
-    this.workspace = workspace;
+    this.editor = editor;
     this.styles = styles;
-    this.pictures = pictures;
+    this.images = images;
     this.painter = painter;
-    this.#display = display;
+    this.#presenter = presenter;
     this.#viewer = viewer;
   }
 
   async openSample(sample: Sample, begin: Beginning = {}): Promise<void> {
-    await this.#attempt(async () => this.workspace.open(await fetchSample(sample), sample.file, begin));
+    await this.#attempt(async () => this.editor.open(await fetchSample(sample), sample.file, begin));
   }
 
-  /** Another method; where the mesh is not made for it, says why and what would be. */
+  /** Another method for the active step; where the mesh is not made for it, says why and what would be. */
   chooseMethod(id: string): void {
-    const { document } = this.store.state;
+    const { project } = this.store.state;
     const method = findMethod(id);
-    if (!document || !method) return;
-    const text = obstacle(method, document);
+    if (!project || !method) return;
+    const text = obstacle(method, project.mesh);
     if (text !== undefined) {
-      const sample = samples.find(({ isForPictures }) => isForPictures)!;
-      const run = () => void this.openSample(sample, { method, picture: this.pictures.chosen });
+      const sample = samples.find(({ isForImages }) => isForImages)!;
+      const run = () => void this.openSample(sample, { method: id });
       this.store.set({
         notice: { tone: 'note', text, action: { label: `Try the ${sample.title.toLowerCase()}`, run } },
       });
-    } else if (takesPicture(method)) this.pictures.choose(this.pictures.chosen);
+    } else if (imageParameter(method) !== undefined) void this.images.choose(this.images.chosen);
     else void this.styles.chooseMethod(id);
   }
 
-  /** Opens the mesh among some files; says what it left out. A picture alone goes on the mesh, or is a normal capture. */
+  /** Opens the mesh among some files; says what it left out. An image alone goes on the mesh, or is a normal capture. */
   async openFiles(files: readonly File[]): Promise<void> {
-    const takesPictures = takesPicture(findMethod(this.store.state.document?.method ?? ''));
-    if (takesPictures && files.length > 0 && files.every(({ name }) => pictureNames.test(name)))
-      return this.pictures.add(files);
+    const { project } = this.store.state;
+    const takesImages = project && imageParameter(findMethod(activeStep(project).method)) !== undefined;
+    if (takesImages && files.length > 0 && files.every(({ name }) => imageNames.test(name)))
+      return this.images.add(files);
     if (files.length === 1 && /\.png$/i.test(files[0]!.name)) return this.addStyles(files);
     const { mesh, note } = chooseMesh(files);
     if (!mesh) {
@@ -80,7 +83,7 @@ export class Page {
       return;
     }
     await this.#attempt(async () => {
-      await this.workspace.open(new Uint8Array(await mesh.arrayBuffer()), mesh.name);
+      await this.editor.open(new Uint8Array(await mesh.arrayBuffer()), mesh.name);
       if (note && !this.store.state.notice) this.store.set({ notice: { tone: 'note', text: note } });
     });
   }
@@ -99,12 +102,12 @@ export class Page {
     pickFiles(endings, (files) => void this.addStyles(files));
   }
 
-  pickPicture(): void {
-    pickFiles(pictureEndings, (files) => void this.pictures.add(files));
+  pickImage(): void {
+    pickFiles(imageEndings, (files) => void this.images.add(files));
   }
 
   saveCapture(): void {
-    saveFile(new Blob([this.painter.picture()]), 'painted.png');
+    saveFile(new Blob([this.painter.capture()]), paintedName);
   }
 
   /** From where one looks at the file's axes. */
@@ -118,26 +121,36 @@ export class Page {
   }
 
   async export(format?: FormatInfo): Promise<void> {
-    const { document } = this.store.state;
-    if (!document) return;
-    const chosen = format ?? ownFormat(document);
-    const written = await this.workspace.write(chosen.id);
-    if (written) saveFile(new Blob([written.bytes]), exportName(written.document, chosen.ending));
+    const { project } = this.store.state;
+    if (!project) return;
+    const chosen = format ?? ownFormat(project);
+    const written = await this.editor.write(chosen.id);
+    if (written) saveFile(new Blob([written.bytes]), exportName(written.project, chosen.ending));
   }
 
-  async saveScreenshot(): Promise<void> {
-    const { document } = this.store.state;
-    if (!document || !this.#viewer) return;
-    const background = getComputedStyle(globalThis.document.body).backgroundColor;
+  async saveSnapshot(): Promise<void> {
+    const { project } = this.store.state;
+    if (!project || !this.#viewer) return;
+    const background = getComputedStyle(document.body).backgroundColor;
     await this.#attempt(async () =>
-      saveFile(await this.#viewer!.snapshot(background), exportName(document, '.png')),
+      saveFile(await this.#viewer!.snapshot(background), exportName(project, '.png')),
     );
   }
 
+  /** Saves the stack for the command line and for other meshes. */
+  saveRecipe(): void {
+    const { project } = this.store.state;
+    const recipe = this.editor.recipe();
+    if (!project || !recipe) return;
+    if (recipe.steps.length > 0) saveFile(new Blob([formatRecipe(recipe)]), recipeName(project));
+    else
+      this.store.set({ notice: { tone: 'note', text: 'Every step is switched off; switch one on first.' } });
+  }
+
   async copyCommand(): Promise<void> {
-    const { document } = this.store.state;
-    if (!document) return;
-    const line = commandLine(document);
+    const { project } = this.store.state;
+    if (!project) return;
+    const line = commandLine(project);
     const copied = await copyText(line);
     this.store.set({ notice: { tone: 'note', text: copied ? `Copied: ${line}` : line } });
   }
@@ -146,7 +159,7 @@ export class Page {
     const look = { ...this.store.state.look, ...change };
     this.store.set({ look });
     this.#viewer?.setShading(look.shading);
-    this.#display.compare(look.comparing);
+    this.#presenter.compare(look.comparing);
   }
 
   fit(): void {

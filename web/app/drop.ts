@@ -1,7 +1,7 @@
 import type { Page } from './actions.ts';
 
 /**
- * Makes the whole window a place to drop files: for meshes to carve, over the styles for styles and over the pictures for pictures.
+ * Makes the whole window a place to drop files: for meshes to carve, over the styles for styles and over the images for images.
  * `body[data-dropping]` says which, while files hover over it.
  */
 export function listenForDrops(page: Page, target: Window = window): void {
@@ -33,7 +33,7 @@ export function listenForDrops(page: Page, target: Window = window): void {
     const files = [...event.dataTransfer!.files];
     const take = {
       style: () => page.addStyles(files),
-      picture: () => page.pictures.add(files),
+      image: () => page.images.add(files),
       mesh: () => page.openFiles(files),
     };
     void take[goods(event)]();
@@ -45,8 +45,8 @@ function hasFiles(event: DragEvent): boolean {
 }
 
 /** What the place under the files takes them for. */
-function goods({ target }: DragEvent): 'mesh' | 'style' | 'picture' {
+function goods({ target }: DragEvent): 'mesh' | 'style' | 'image' {
   if (!(target instanceof Element)) return 'mesh';
-  if (target.closest('[data-takes-pictures]')) return 'picture';
+  if (target.closest('[data-takes-images]')) return 'image';
   return target.closest('[data-takes-styles]') ? 'style' : 'mesh';
 }

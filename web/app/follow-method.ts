@@ -1,3 +1,4 @@
+import { activeStep } from '../../src/editor/project.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import type { Page } from './actions.ts';
 
@@ -5,10 +6,11 @@ import type { Page } from './actions.ts';
 export function followMethod(page: Page): void {
   let method: string | undefined;
   const usual = () => findMethod(method ?? '')?.shading ?? 'smooth';
-  page.store.subscribe(({ document, look }) => {
-    if (!document || document.method === method) return;
+  page.store.subscribe(({ project, look }) => {
+    const now = project && activeStep(project).method;
+    if (!now || now === method) return;
     const isUntouched = look.shading === usual();
-    method = document.method;
+    method = now;
     if (isUntouched) page.look({ shading: usual() });
   });
 }

@@ -3,7 +3,7 @@ export interface Sample {
   readonly title: string;
   readonly about: string;
   /** Has texture coordinates, and is fine enough to show a relief. */
-  readonly isForPictures?: boolean;
+  readonly isForImages?: boolean;
 }
 
 /** Meshes that come with the page; made by web/build/samples.mjs. The first is the one the page opens with. */
@@ -11,7 +11,7 @@ export const samples: readonly Sample[] = [
   { file: 'rabbit.glb', title: 'Rabbit', about: 'glTF, one part' },
   { file: 'suzanne.glb', title: 'Suzanne', about: 'glTF, three parts' },
   { file: 'vase.obj', title: 'Vase', about: 'OBJ of quads, open at the top' },
-  { file: 'jar.glb', title: 'Jar', about: 'glTF with texture coordinates', isForPictures: true },
+  { file: 'jar.glb', title: 'Jar', about: 'glTF with texture coordinates', isForImages: true },
   { file: 'knot.ply', title: 'Knot', about: 'PLY with vertex colours' },
 ];
 

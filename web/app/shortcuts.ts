@@ -25,8 +25,8 @@ export const shortcuts: readonly Shortcut[] = [
   { key: '2', label: '2', does: 'Flat shading', run: (page) => page.look({ shading: 'flat' }) },
   { key: '3', label: '3', does: 'Wireframe', run: (page) => page.look({ shading: 'wire' }) },
   { key: 'f', label: 'F', does: 'Fit the view', run: (page) => page.fit() },
-  { key: 'r', label: 'R', does: 'Reset the style', run: (page) => page.workspace.reset() },
-  { key: 'p', label: 'P', does: 'Save a picture', run: (page) => void page.saveScreenshot() },
+  { key: 'r', label: 'R', does: 'Reset the style', run: (page) => void page.editor.reset() },
+  { key: 'p', label: 'P', does: 'Save a picture', run: (page) => void page.saveSnapshot() },
 ];
 
 /** Listens for keys everywhere but where text is typed. `help` opens the list of keys. */
@@ -46,12 +46,12 @@ export function listenForShortcuts(page: Page, help: () => void, target: Documen
 function runCommand(event: KeyboardEvent, page: Page, help: () => void): boolean {
   const key = event.key.toLowerCase();
   if (event.ctrlKey || event.metaKey) {
-    if (key === 'z') return event.shiftKey ? page.workspace.redo() : page.workspace.undo();
-    if (key === 'y') return page.workspace.redo();
+    if (key === 'z') return event.shiftKey ? page.editor.redo() : page.editor.undo();
+    if (key === 'y') return page.editor.redo();
     return false;
   }
   if (event.altKey) return false;
-  if (key === 'escape') return page.workspace.cancel() || dismissNotice(page);
+  if (key === 'escape') return page.editor.cancel() || dismissNotice(page);
   if (key === '?') {
     help();
     return true;

@@ -3,6 +3,7 @@ import { findPrimitive, primitiveIds } from '../../src/inputs/styles/primitives.
 import { findStyleMesh, styleMeshIds } from '../../src/inputs/styles/style-meshes.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
+import type { Asset } from '../../src/recipe/index.ts';
 
 export type StyleGroup = 'shapes' | 'meshes' | 'captures';
 
@@ -14,9 +15,9 @@ export interface StyleEntry {
   /** As recipes and the command line call it. */
   readonly source: string;
   readonly group: StyleGroup;
-  /** Brought by the person. */
-  readonly isOwn: boolean;
-  /** What it is: a convex shape or a style mesh, or the normals themselves. Made when first asked for. */
+  /** What the person brought; absent for the styles that come with the page. */
+  readonly asset?: Asset;
+  /** A convex shape or a style mesh, or the normals themselves. Made when first asked for. */
   readonly subject: () => { readonly mesh: Mesh } | { readonly map: GaussMap };
 }
 
@@ -34,20 +35,23 @@ export const builtIn: readonly StyleEntry[] = [
   ...captureIds.map((id) => entry('captures', id, () => ({ map: findCapture(id)!.map }))),
 ];
 
-/** What the page opens the styles with. */
-export const firstStyle: StyleEntry = builtIn.find(({ source }) => source === 'octahedron')!;
-/** What it opens the polycube with. */
-export const firstDirections: StyleEntry = builtIn.find(({ source }) => source === 'cube')!;
+/** The style that the page opens a method with, by its parameter: the one that looks best at once. */
+export const firstStyles: Readonly<Record<string, string>> = { style: 'octahedron', directions: 'cube' };
 
 let brought = 0;
 
-/** A style of the person's own. */
-export function ownStyle(group: StyleGroup, file: string, subject: StyleEntry['subject']): StyleEntry {
-  const name = file.replace(/\.[^.]*$/, '') || file;
-  return { id: `own-${++brought}`, name, source: file, group, isOwn: true, subject };
+/** A style of the person's own. @param source its name in recipes, unlike all others */
+export function ownStyle(
+  group: StyleGroup,
+  source: string,
+  asset: Exclude<Asset, { kind: 'image' }>,
+): StyleEntry {
+  const name = source.replace(/\.[^.]*$/, '') || source;
+  const subject = () => (asset.kind === 'mesh' ? { mesh: asset.mesh } : { map: asset.map });
+  return { id: `own-${++brought}`, name, source, group, asset, subject };
 }
 
 function entry(group: StyleGroup, id: string, subject: StyleEntry['subject']): StyleEntry {
   const name = id.charAt(0).toUpperCase() + id.slice(1).replaceAll('-', ' ');
-  return { id: `${group}-${id}`, name, source: id, group, isOwn: false, subject };
+  return { id: `${group}-${id}`, name, source: id, group, subject };
 }

@@ -1,11 +1,11 @@
 import { darkTheme, lightTheme, type Viewer } from '../../src/viewer/viewer.ts';
-import type { Store, Theme } from './store.ts';
+import type { PageStore, Theme } from './page-state.ts';
 
 const key = 'whittle-theme';
 const order: readonly Theme[] = ['auto', 'light', 'dark'];
 
 /** Keeps page and stage in the chosen theme; `auto` follows the system. The choice is remembered. */
-export function followTheme(store: Store, viewer: Viewer | null): void {
+export function followTheme(store: PageStore, viewer: Viewer | null): void {
   const system = matchMedia('(prefers-color-scheme: dark)');
   store.set({ look: { ...store.state.look, theme: remembered() } });
   let shown = '';

@@ -7,7 +7,7 @@ import type { StyleEntry } from './style-gallery.ts';
 const budget = 7;
 
 /** Fills the gallery's pictures, a few per frame, with one renderer that is let go at the end. */
-export class Photographer {
+export class Thumbnails {
   readonly #drawn = new WeakMap<HTMLCanvasElement, string>();
   #queue: { canvas: HTMLCanvasElement; entry: StyleEntry }[] = [];
   #portraits: Portraits | null = null;

@@ -1,53 +1,44 @@
 import { html, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
-import type { WhittleDocument } from '../../src/editor/project.ts';
 import { shaded } from '../../src/inputs/images/shade.ts';
-import { laid, type Picture } from '../app/image-gallery.ts';
+import type { ImageEntry } from '../app/image-gallery.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 
 const side = 112;
 
-/** Pictures to lay on the mesh, each as the relief that it makes. */
-export class WhittlePictures extends PageElement {
+/** Images to lay on the mesh, each drawn as the relief that it makes, and what there is to say of the chosen one. */
+export class WhittleImages extends PageElement {
   readonly #drawn = new WeakMap<HTMLCanvasElement, string>();
 
   protected override render() {
-    const { offered } = this.page.pictures;
+    const { offered, remark } = this.page.images;
     return html`
-      <fieldset class="tiles pictures">
-        <legend class="hidden">Picture</legend>
+      <fieldset class="tiles images">
+        <legend class="hidden">Image</legend>
         ${repeat(offered, ({ id }) => id, this.#tile)}
       </fieldset>
       <div class="gallery-tools">
-        <button type="button" class="button small" data-act="add-picture" title="A normal map, or any picture whose brightness is height; dropping it here does the same" @click=${() => this.page.pickPicture()}>${icon('add')}Add a picture</button>
+        <button type="button" class="button small" data-act="add-image" title="A normal map, or any image whose brightness is height; dropping it here does the same" @click=${() => this.page.pickImage()}>${icon('add')}Add an image</button>
       </div>
+      <p class="remark" role="status" ?hidden=${!remark}>${remark ?? nothing}</p>
     `;
   }
 
   protected override updated(): void {
     for (const canvas of this.querySelectorAll('canvas')) {
-      const entry = this.page.pictures.offered.find(({ id }) => id === canvas.dataset.picture);
+      const entry = this.page.images.offered.find(({ id }) => id === canvas.dataset.picture);
       if (!entry || this.#drawn.get(canvas) === entry.id) continue;
       this.#drawn.set(canvas, entry.id);
-      canvas.getContext('2d')?.putImageData(new ImageData(shaded(entry.read(), side), side, side), 0, 0);
+      canvas.getContext('2d')?.putImageData(new ImageData(shaded(entry.texture(), side), side, side), 0, 0);
     }
   }
 
-  readonly #tile = (entry: Picture) => html`
+  readonly #tile = (entry: ImageEntry) => html`
     <label class="tile" title=${entry.name}>
-      <input type="radio" name="picture" .checked=${this.page.pictures.chosen === entry} @change=${() => this.page.pictures.choose(entry)} />
+      <input type="radio" name="image" .checked=${this.page.images.chosen === entry} @change=${() => void this.page.images.choose(entry)} />
       <canvas width=${side} height=${side} data-picture=${entry.id} aria-hidden="true"></canvas><span>${entry.name}</span>
     </label>`;
 }
 
-/** What a person should know of the picture on the mesh; if it cannot be laid there, the run has said so. */
-export function remarkOn({ picture, mesh, parameters }: WhittleDocument) {
-  let remark: string | undefined;
-  try {
-    remark = picture ? laid(picture, mesh, parameters).remark : undefined;
-  } catch {}
-  return html`<p class="remark" role="status" ?hidden=${!remark}>${remark ?? nothing}</p>`;
-}
-
-customElements.define('whittle-pictures', WhittlePictures);
+customElements.define('whittle-images', WhittleImages);

@@ -1,11 +1,11 @@
 import { html, nothing, type TemplateResult } from 'lit';
-import type { WhittleDocument } from '../../src/editor/project.ts';
+import type { Project } from '../../src/editor/project.ts';
 import { remarks } from '../../src/mesh/report-sentences.ts';
 
 const count = new Intl.NumberFormat('en');
 
 /** What the mesh is like, in numbers and in words that say whether it matters. */
-export function meshReport({ report, mesh, source }: WhittleDocument): TemplateResult {
+export function meshReport({ report, mesh, source }: Project): TemplateResult {
   const rows: readonly (readonly [string, number | string])[] = [
     ['Vertices', report.vertices],
     ['Faces', report.faces],

@@ -1,12 +1,16 @@
-import type { Workspace } from '../../src/editor/editor.ts';
-import type { ChosenStyle, Shaping } from '../../src/editor/project.ts';
+import type { Editor } from '../../src/editor/editor.ts';
+import { activeStep } from '../../src/editor/project.ts';
+import { styleParameter } from '../../src/editor/starting-step.ts';
+import type { StepChange } from '../../src/editor/steps.ts';
 import { writePng } from '../../src/inputs/images/png.ts';
+import { startingValues } from '../../src/inputs/starting-values.ts';
 import { blankMap, onSphere, pixelsOfMap, type SphereMap } from '../../src/inputs/styles/captures.ts';
 import { add, row, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
-import { methods } from '../../src/methods/registry.ts';
+import { findMethod, methods } from '../../src/methods/registry.ts';
+import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import { BrushSurface, type BrushTip, Coverage, Stroke } from '../../src/viewer/brush-surface.ts';
-import { canTake, startingParameters } from '../app/offered-methods.ts';
-import type { Store } from '../app/store.ts';
+import { canTake } from '../app/offered-methods.ts';
+import type { PageStore } from '../app/page-state.ts';
 
 /** What the brush is like. */
 export interface Brush {
@@ -20,13 +24,13 @@ export interface Brush {
 }
 
 /** Pixels along the side of a saved capture. */
-const pictureSize = 256;
+const captureSize = 256;
 
 /** Paints normals on a ball; the mesh follows every stroke, and each stroke is one entry for undo. */
-export class Painter {
+export class NormalPainter {
   brush: Brush = { size: 28, hardness: 0.4, direction: [0, 1, 0], mirror: true };
-  readonly #store: Store;
-  readonly #workspace: Workspace;
+  readonly #store: PageStore;
+  readonly #editor: Editor;
   readonly #soon: (run: () => void) => void;
   #ball: BrushSurface | null = null;
   #stroke: { path: Stroke; coverage: Coverage; mirrored: Coverage; base: SphereMap; map: SphereMap } | null =
@@ -34,15 +38,15 @@ export class Painter {
   #isScheduled = false;
 
   /** @param soon runs something before the next picture */
-  constructor(store: Store, workspace: Workspace, soon: (run: () => void) => void) {
+  constructor(store: PageStore, editor: Editor, soon: (run: () => void) => void) {
     this.#store = store;
-    this.#workspace = workspace;
+    this.#editor = editor;
     this.#soon = soon;
   }
 
-  /** What is on the ball: the stroke that is being painted, else the document's style. */
+  /** What is on the ball: the stroke that is being painted, else the active step's style. */
   get map(): SphereMap {
-    return this.#stroke?.map ?? sphereOf(this.#store.state.document?.style ?? null);
+    return this.#stroke?.map ?? sphereOf(this.#style());
   }
 
   get isPainting(): boolean {
@@ -90,17 +94,17 @@ export class Painter {
     const stroke = this.#stroke;
     if (!stroke) return;
     this.#stroke = null;
-    this.#workspace.commit(this.#shaping(stroke.map), 'Stroke');
+    this.#editor.commit(this.#change(stroke.map), 'Stroke');
   }
 
   /** An empty ball: every normal stays as it is. */
   clear(): void {
-    this.#workspace.restyle(this.#shaping(blankMap()), 'Clear the ball');
+    this.#editor.restyle(this.#change(blankMap()), 'Clear the ball');
   }
 
   /** The front of the ball as a normal capture. */
-  picture(): Uint8Array<ArrayBuffer> {
-    return writePng(pixelsOfMap(this.map, pictureSize));
+  capture(): Uint8Array<ArrayBuffer> {
+    return writePng(pixelsOfMap(this.map, captureSize));
   }
 
   #tip(): BrushTip {
@@ -123,28 +127,49 @@ export class Painter {
     this.#isScheduled = true;
     this.#soon(() => {
       this.#isScheduled = false;
-      if (this.#stroke) this.#workspace.preview(this.#shaping(this.#stroke.map));
+      if (this.#stroke) this.#editor.preview(this.#change(this.#stroke.map));
     });
   }
 
-  #shaping(map: SphereMap): Partial<Shaping> {
-    const style: ChosenStyle = { id: 'painted', name: 'Painted', source: 'painted.png', map };
+  /** The Gauss map that the active step has, painted or not; null while it is not known. */
+  #style(): GaussMap | null {
+    const { project } = this.#store.state;
+    const step = project && activeStep(project);
+    const parameter = styleParameter(findMethod(step?.method ?? ''));
+    if (!project || !step || !parameter) return null;
+    const asset = project.assets.get(String(step.parameters[parameter.name]));
+    if (asset?.kind === 'gauss-map') return asset.map;
+    const resolved = step.result?.of.method === step.method && step.result.resolved[parameter.name];
+    return (resolved || null) as GaussMap | null;
+  }
+
+  #change(map: SphereMap): StepChange {
     const method = methods.find((one) => canTake(one, map))!;
-    const { document } = this.#store.state;
-    if (!document || document.method === method.id) return { style };
-    return { method: method.id, parameters: startingParameters(method, { ...document, style }), style };
+    const { name } = styleParameter(method)!;
+    const { project } = this.#store.state;
+    const step = project && activeStep(project);
+    const present = step && (step.method === method.id ? step.parameters : step.remembered[method.id]);
+    const starting = () => startingValues(method, { ...project!, style: map, pattern: null });
+    return {
+      method: method.id,
+      parameters: { ...(present ?? (project ? starting() : {})), [name]: paintedName },
+      assets: new Map([[paintedName, { kind: 'gauss-map', map }]]),
+    };
   }
 }
 
-const spheres = new WeakMap<ChosenStyle, SphereMap>();
+/** What recipes call a painted ball, and the name it is saved under. */
+export const paintedName = 'painted.png';
+
+const spheres = new WeakMap<GaussMap, SphereMap>();
 let blank: SphereMap | null = null;
 
-function sphereOf(style: ChosenStyle | null): SphereMap {
+function sphereOf(style: GaussMap | null): SphereMap {
   if (!style) {
     blank ??= blankMap();
     return blank;
   }
-  const known = spheres.get(style) ?? onSphere(style.map);
+  const known = spheres.get(style) ?? onSphere(style);
   spheres.set(style, known);
   return known;
 }

@@ -1,4 +1,4 @@
-import type { Weld } from '../../mesh/weld.ts';
+import type { Weld } from '../../mesh/mesh.ts';
 import { choice } from './choice.ts';
 import { flag } from './flag.ts';
 import { handles } from './handles.ts';

@@ -1,4 +1,4 @@
-import type { Weld } from '../../mesh/weld.ts';
+import type { Weld } from '../../mesh/mesh.ts';
 
 /** What a change of a parameter makes the core recompute; each includes those before it. */
 export type Invalidates = 'targets' | 'weights' | 'system' | 'all';
