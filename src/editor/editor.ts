@@ -144,15 +144,14 @@ export class Editor {
    * Gives the active step another method: with the values that it had here before, or with those that suit the mesh.
    *
    * @param given values that are to be these
+   * @param label what undo calls it; default the method's title
    */
-  async chooseMethod(id: string, given: ParameterValues = {}): Promise<void> {
-    const method = findMethod(id);
+  async chooseMethod(id: string, given: ParameterValues = {}, label = findMethod(id)?.title): Promise<void> {
     const step = this.project && activeStep(this.project);
-    if (!step || !method || step.method === id) return;
+    if (!step || label === undefined || step.method === id) return;
     const remembered = step.remembered[id];
-    if (remembered)
-      return this.restyle({ method: id, parameters: { ...remembered, ...given } }, method.title);
-    await this.#afterReading({ method: id, given }, (starting) => this.restyle(starting, method.title));
+    if (remembered) return this.restyle({ method: id, parameters: { ...remembered, ...given } }, label);
+    await this.#afterReading({ method: id, given }, (starting) => this.restyle(starting, label));
   }
 
   /** Puts a step with this method after the active one. @param given values that are to be these */

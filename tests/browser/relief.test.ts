@@ -11,7 +11,7 @@ const pages = usePage();
 let page: Page;
 
 const relief = () => page.locator('.switch label', { hasText: 'Relief' });
-const tile = (name: string) => page.locator('.pictures label', { hasText: name });
+const tile = (name: string) => page.locator('.images label', { hasText: name });
 const undoLabel = () => page.locator('[data-act=undo]').getAttribute('aria-label');
 
 /** From the first sample, which has no texture coordinates, to a jar that carries a weave. */
@@ -19,7 +19,7 @@ async function openRelief(options = {}): Promise<void> {
   page = await pages.open(options);
   await relief().click();
   await page.getByRole('button', { name: 'Try the jar' }).click();
-  await page.waitForSelector('.pictures');
+  await page.waitForSelector('.images');
   await carved(page);
 }
 
@@ -38,7 +38,7 @@ async function drop(target: string, name: string, bytes: Uint8Array): Promise<vo
 async function chosen(name: string): Promise<void> {
   await page.waitForFunction(
     (wanted) =>
-      document.querySelector('.pictures input:checked')?.closest('label')?.textContent?.trim() === wanted,
+      document.querySelector('.images input:checked')?.closest('label')?.textContent?.trim() === wanted,
     name,
   );
   await carved(page);
@@ -109,12 +109,12 @@ it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is n
     const blob = await canvas.convertToBlob({ type: 'image/jpeg' });
     return [...new Uint8Array(await blob.arrayBuffer())];
   });
-  await drop('.pictures', 'stamp.jpg', Uint8Array.from(jpeg));
+  await drop('.images', 'stamp.jpg', Uint8Array.from(jpeg));
   await chosen('stamp');
-  await drop('.pictures', 'fake.webp', Uint8Array.of(1, 2, 3));
+  await drop('.images', 'fake.webp', Uint8Array.of(1, 2, 3));
   const alert = page.locator('[role=alert] .notice');
   await alert.waitFor();
-  expect(await alert.innerText()).toContain('fake.webp could not be read as a picture');
+  expect(await alert.innerText()).toContain('fake.webp could not be read as an image');
   await tile('Weave').click();
   await chosen('Weave');
   expect(await page.getByLabel('Green points').count()).toBe(0);
@@ -124,11 +124,11 @@ it('unbakes the normal map inside a file at the first click', async () => {
   await openRelief();
   const map = pngOf(normalMap(64, (u, v) => 0.02 * Math.sin(12 * u) * Math.sin(12 * v)));
   await drop('#canvas', 'plate.glb', bakedGlb(plate(60), map));
-  await page.waitForFunction(() => !document.querySelector('.pictures'));
+  await page.waitForFunction(() => !document.querySelector('.images'));
   await carved(page);
   await relief().click();
   await chosen('baked');
-  expect(await page.locator('.pictures label').count()).toBe(4);
+  expect(await page.locator('.images label').count()).toBe(4);
   expect(await page.locator('#parameter-repeat').getAttribute('aria-valuetext')).toBe('1');
 });
 

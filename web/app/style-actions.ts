@@ -80,7 +80,9 @@ export class StyleActions {
     this.#latest++;
     const { project } = this.#store.state;
     const isRemembered = project && activeStep(project).remembered[id];
-    await this.#editor.chooseMethod(id, isRemembered ? {} : firstStyle(id));
+    const given = isRemembered ? {} : firstStyle(id);
+    const [style] = Object.values(given);
+    await this.#editor.chooseMethod(id, given, this.#entry(String(style))?.name);
   }
 
   /** A step with this method after the active one; if it takes a style, with the one that looks best. */
