@@ -39,6 +39,7 @@ export class WhittlePanel extends PageElement {
       ${style && project ? this.#styles(style) : nothing}
       ${imageParameter(method) && project ? html`<whittle-images data-takes-images .page=${this.page}></whittle-images>` : nothing}
       <div class="controls" @parameter=${this.#change}>${step ? this.#controls(method, step) : nothing}</div>
+      ${project ? this.#addition(project) : nothing}
       ${project ? this.#home(project) : nothing}
       ${project ? measures(this.page, this.state) : nothing}
       ${project ? meshReport(project) : nothing}
@@ -98,6 +99,18 @@ export class WhittlePanel extends PageElement {
           : nothing
       }
     `;
+  }
+
+  /** The way to another step, for what the mesh is made for. */
+  #addition({ mesh }: Project) {
+    const items = offeredMethods()
+      .filter((method) => obstacle(method, mesh) === undefined)
+      .map(({ id, title, summary }) => ({
+        label: title,
+        about: summary,
+        run: () => void this.page.styles.addStep(id),
+      }));
+    return html`<whittle-menu class="add-step" label="Add a step" .face=${html`${icon('add')}<span>Add a step</span>`} .items=${items}></whittle-menu>`;
   }
 
   #home(project: Project) {
