@@ -3,8 +3,9 @@ import { once } from 'node:events';
 import { fileURLToPath } from 'node:url';
 import { afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
 import { createEngine } from '../../src/engine/client.ts';
+import { objText } from '../fixtures/mesh-files.ts';
 import { icosphere } from '../fixtures/meshes.ts';
-import { Desk, objText } from './cli-harness.ts';
+import { Desk } from './cli-harness.ts';
 import { spawnThread } from './node-thread.ts';
 
 /** The program as `npx whittle` runs it: compiled, in a process of its own. */
