@@ -3,6 +3,7 @@ import { Display } from '../../web/document/display.ts';
 import { Runner } from '../../web/document/runner.ts';
 import { Store } from '../../web/document/store.ts';
 import { Workspace } from '../../web/document/workspace.ts';
+import { until } from '../fixtures/until.ts';
 import { FakeEngine, type FakeOptions, tetrahedron } from './fake-engine.ts';
 
 const bytes = Uint8Array.of(1);
@@ -150,8 +151,7 @@ describe('cancelling', () => {
   it('keeps what the carving had reached', async () => {
     const { workspace, store } = desk({ steps: 1000, pause: () => new Promise((go) => setTimeout(go, 1)) });
     const opened = workspace.open(bytes, 'a.obj');
-    while (store.state.activity.kind !== 'solving' || store.state.activity.iteration < 3)
-      await new Promise((go) => setTimeout(go, 1));
+    await until(() => store.state.activity.kind === 'solving' && store.state.activity.iteration >= 3);
     expect(workspace.cancel()).toBe(true);
     await opened;
     expect(workspace.document!.result).toMatchObject({ state: 'stopped', outcome: 'cancelled' });
