@@ -8,7 +8,7 @@ import type { TestMesh } from '../fixtures/meshes.ts';
 import { markdownTable, percent, withSpread } from './numbers.ts';
 import { type ComparedMethod, isCompared, type Options, type Size } from './options.ts';
 import { meshOf } from './program.ts';
-import { withBuiltReference } from './reference.ts';
+import { buildCore, withCheckout } from './reference.ts';
 
 const rounds = 15;
 const stepsARound = 6;
@@ -23,7 +23,8 @@ interface Side {
 
 /** Times the wasm module of the working tree against that of a git reference, by turns in this very process. */
 export async function benchmarkAgainst(reference: string, options: Options): Promise<void> {
-  await withBuiltReference(reference, async (folder, commit) => {
+  await withCheckout(reference, async (folder, commit) => {
+    buildCore(folder, reference);
     const base = await loadBase(folder, reference);
     const head = await testCore();
     const rows: string[][] = [];

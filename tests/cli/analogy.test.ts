@@ -1,7 +1,8 @@
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
+import { objPositions, objText } from '../fixtures/mesh-files.ts';
 import { icosphere } from '../fixtures/meshes.ts';
-import { Desk, objPositions, objText } from './harness.ts';
+import { Desk } from './harness.ts';
 
 let desk: Desk;
 beforeEach(async () => {

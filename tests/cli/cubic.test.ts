@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, test } from 'vitest';
+import { objPositions, objText } from '../fixtures/mesh-files.ts';
 import { icosphere } from '../fixtures/meshes.ts';
-import { Desk, objPositions, objText } from './harness.ts';
+import { Desk } from './harness.ts';
 
 let desk: Desk;
 beforeEach(async () => {

@@ -3,7 +3,6 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { runCommandLine } from '../../src/cli/command-line.ts';
 import type { Engine } from '../../src/engine/client.ts';
-import type { TestMesh } from '../fixtures/meshes.ts';
 
 /** What a command line said and how it ended. */
 export interface Said {
@@ -66,22 +65,4 @@ export interface RunOptions {
   readonly isTTY?: boolean;
   readonly signal?: AbortSignal;
   readonly engine?: () => Engine;
-}
-
-/** An OBJ file with a comment and a group, whose lines other than `v` are to survive. */
-export function objText({ positions, triangles }: TestMesh): string {
-  const lines = ['# made for a test', 'o ball'];
-  for (let p = 0; p < positions.length; p += 3) lines.push(`v ${positions.slice(p, p + 3).join(' ')}`);
-  lines.push('g all');
-  for (let t = 0; t < triangles.length; t += 3) {
-    lines.push(`f ${[...triangles.slice(t, t + 3)].map((vertex) => vertex + 1).join(' ')}`);
-  }
-  return `${lines.join('\n')}\n`;
-}
-
-/** The coordinates of the `v` lines. */
-export function objPositions(text: string): number[] {
-  return text
-    .split('\n')
-    .flatMap((line) => (line.startsWith('v ') ? line.slice(2).split(' ').map(Number) : []));
 }

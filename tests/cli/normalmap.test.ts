@@ -1,10 +1,11 @@
 import { writeFile } from 'node:fs/promises';
 import { afterEach, beforeEach, expect, test } from 'vitest';
-import type { Image } from '../../src/inputs/images/image.ts';
 import { writePng } from '../../src/inputs/images/png.ts';
+import type { Image } from '../../src/inputs/images/image.ts';
+import { objPositions, objText } from '../fixtures/mesh-files.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 import { bakedGlb, normalMap, paint, plate, pngOf, texturedObj } from '../fixtures/textured.ts';
-import { Desk, objPositions, objText } from './harness.ts';
+import { Desk } from './harness.ts';
 
 const waves = (u: number, v: number): number => 0.02 * Math.sin(4 * Math.PI * u) * Math.sin(4 * Math.PI * v);
 

@@ -4,8 +4,9 @@ import { writeWhole } from '../../src/cli/files.ts';
 import { createEngine } from '../../src/engine/client.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
-import { FakeCore, failLambda, fakeServices, trapLambda } from '../engine/fake-core.ts';
+import { until } from '../fixtures/until.ts';
 import { Desk } from './harness.ts';
+import { FakeCore, failLambda, fakeServices, trapLambda } from '../engine/fake-core.ts';
 
 let desk: Desk;
 beforeEach(async () => {
@@ -57,10 +58,12 @@ test('an interrupted run is written as far as it came, and later steps are left 
     ],
   });
   const stop = new AbortController();
-  setTimeout(() => stop.abort(), 150);
   const options = { engine, signal: stop.signal };
-  const said = await desk.run('run @recipe.json @in.obj --out @out.obj --report @report.json', options);
-  expect(said.code).toBe(0);
+  const running = desk.run('run @recipe.json @in.obj --out @out.obj --report @report.json', options);
+  // Two are the first step's.
+  await until(() => core.steps > 5);
+  stop.abort();
+  expect((await running).code).toBe(0);
   expect(await desk.read('out.obj')).not.toBe('as it was');
   const { steps } = JSON.parse(await desk.read('report.json'));
   expect(steps).toMatchObject([

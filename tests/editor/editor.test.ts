@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { activeStep } from '../../src/editor/project.ts';
 import { tetrahedron } from '../fixtures/fake-engine.ts';
 import { headlessEditor, look, quiet } from '../fixtures/headless-editor.ts';
+import { until } from '../fixtures/until.ts';
 
 const bytes = Uint8Array.of(1);
 
@@ -142,8 +143,7 @@ describe('cancelling', () => {
   it('keeps what the carving had reached', async () => {
     const { editor, store } = desk({ steps: 1000, pause: () => new Promise((go) => setTimeout(go, 1)) });
     const opened = editor.open(bytes, 'a.obj');
-    while (store.state.activity.kind !== 'solving' || store.state.activity.iteration < 3)
-      await new Promise((go) => setTimeout(go, 1));
+    await until(() => store.state.activity.kind === 'solving' && store.state.activity.iteration >= 3);
     expect(editor.cancel()).toBe(true);
     await opened;
     expect(look(editor.project).result).toMatchObject({ state: 'stopped', outcome: 'cancelled' });

@@ -3,6 +3,7 @@ import { createEngine, type Engine } from '../../src/engine/client.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
+import { until } from '../fixtures/until.ts';
 import { FakeCore, type FakeOptions, failLambda, fakeServices, tetrahedron } from './fake-core.ts';
 
 let engine: Engine;
@@ -116,7 +117,7 @@ test('the latest request wins, and every earlier one keeps what it has', async (
   const frames: number[] = [];
   const onFrame = (frame: { iteration: number }) => void frames.push(frame.iteration);
   const first = engine.solve(mesh, settings(endless, { frames: true }), { onFrame });
-  while (frames.length === 0) await new Promise((resolve) => setTimeout(resolve, 5));
+  await until(() => frames.length > 0);
   const second = engine.solve(mesh, settings(endless));
   const third = engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 }));
 
@@ -178,7 +179,7 @@ test('a cancelled run answers within 100 ms with what it has', async () => {
   const mesh = tetrahedron();
   const stop = new AbortController();
   const running = engine.solve(mesh, settings(endless), { signal: stop.signal });
-  await new Promise((resolve) => setTimeout(resolve, 60));
+  await until(() => core.steps > 10);
   const stepsSoFar = core.steps;
   stop.abort();
   const solved = await running;
@@ -229,7 +230,7 @@ test('a released mesh is freed, its run stopped, and it can come back', async ()
   const mesh = tetrahedron();
   await engine.inspect(mesh);
   const running = engine.solve(mesh, settings(endless));
-  await new Promise((resolve) => setTimeout(resolve, 20));
+  await until(() => core.steps > 0);
   engine.release(mesh);
   expect((await running).outcome).toBe('cancelled');
   await engine.inspect(mesh);

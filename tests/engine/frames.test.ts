@@ -46,8 +46,8 @@ test('a page that draws slowly gets fewer frames and does not slow the run', asy
   expect(atOnce).toBe(1);
   expect(seen).toBeGreaterThan(1);
   expect(seen).toBeLessThanOrEqual(solved.milliseconds.solve / 50 + 2);
-  // A run that waited for the page would take 120 times 50 ms.
-  expect(solved.milliseconds.solve).toBeLessThan(3000);
+  // A run that waited for the page would have shown it each of its 120 iterations.
+  expect(seen).toBeLessThan(60);
 });
 
 test('a page that never draws gets one frame', async () => {

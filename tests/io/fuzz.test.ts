@@ -46,7 +46,7 @@ function apply(bytes: Uint8Array, { kind, at, length, byte }: Damage): Uint8Arra
 
 /** A mesh that is whole, or an error of ours; and in the first case the file can be given back. */
 function readsOrRefuses(bytes: Uint8Array): void {
-  const start = performance.now();
+  const before = process.cpuUsage();
   try {
     const { mesh, format } = readMesh(bytes, 'fuzz');
     const count = mesh.positions.length / 3;
@@ -68,7 +68,8 @@ function readsOrRefuses(bytes: Uint8Array): void {
     expect(thrown.message).toMatch(/^(fuzz|again)[:,] [^\n]+\.$/);
     expect(thrown.message).not.toMatch(/^again.*(truncated|cut off)/);
   }
-  expect(performance.now() - start).toBeLessThan(1000);
+  // Time of the processor, not of the clock: the machine may be busy with something else.
+  expect(process.cpuUsage(before).user).toBeLessThan(1_000_000);
 }
 
 describe('damaged files are read or refused, nothing else', () => {
