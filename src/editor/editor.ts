@@ -6,7 +6,7 @@ import type { ParameterValues } from '../methods/values/index.ts';
 import { type Recipe, type RecipeStep, Resolver, type Surroundings } from '../recipe/index.ts';
 import { record, redo, undo } from './history.ts';
 import { LiveSolver } from './live-solver.ts';
-import { type OpenedFile, openFile } from './open-file.ts';
+import { type OpenedFile, openFile, type ReadFile } from './open-file.ts';
 import type { Presenter } from './presenter.ts';
 import {
   type Assets,
@@ -82,18 +82,38 @@ export class Editor {
   }
 
   /** Opens a file and runs its stack. The mesh that was there stays until the new one is known to be good. */
-  async open(bytes: Uint8Array<ArrayBuffer>, name: string, begin: Beginning = {}): Promise<void> {
+  open(bytes: Uint8Array<ArrayBuffer>, name: string, begin: Beginning = {}): Promise<void> {
+    const read = async (signal: AbortSignal) => ({
+      bytes,
+      name,
+      ...(await this.#engine.read(bytes, name, { signal })),
+    });
+    return this.#open(name, read, begin);
+  }
+
+  /** The same for a file that was read already. */
+  openRead(file: ReadFile, begin: Beginning = {}): Promise<void> {
+    return this.#open(file.name, async () => file, begin);
+  }
+
+  async #open(
+    name: string,
+    read: (signal: AbortSignal) => Promise<ReadFile>,
+    begin: Beginning,
+  ): Promise<void> {
     this.#tasks.cancel();
     const task = this.#tasks.begin();
     this.#gestureFrom = null;
     this.store.set({ activity: { kind: 'opening', name }, notice: null });
     try {
-      const file = await patiently(task, () => openFile(this.#engine, bytes, name, task.signal));
+      const file = await patiently(task, async () =>
+        openFile(this.#engine, await read(task.signal), task.signal),
+      );
       const project = await this.#begin(file, begin);
       if (!task.current()) return;
       this.#enter(project, file.warnings);
     } catch (thrown) {
-      reportFailure(this.store, task, thrown, () => void this.open(bytes, name, begin));
+      reportFailure(this.store, task, thrown, () => void this.#open(name, read, begin));
       return;
     }
     await this.#solver.settle(true);

@@ -6,10 +6,10 @@ import { WasmSession } from './wasm-session.ts';
 /**
  * Starts the core.
  *
- * @param wasmBinary the module's bytes, where the loader cannot fetch them itself (Node)
+ * @param wasm the module's bytes, where the loader cannot fetch them itself (Node), or their address, where it is not beside the loader
  */
-export async function loadCore(wasmBinary?: Uint8Array): Promise<Core> {
-  const module = await loadModule(wasmBinary);
+export async function loadCore(wasm?: Uint8Array | string): Promise<Core> {
+  const module = await loadModule(wasm);
   const heap = new WasmHeap(module);
   const methods: Core['methods'] = () => JSON.parse(heap.readString(module._whittle_methods()));
   return {

@@ -21,6 +21,15 @@ const typescriptArrows: Record<string, string[]> = {
     'src/methods',
     'src/mesh',
   ],
+  'src/element': [
+    'src/editor',
+    'src/viewer',
+    'src/recipe',
+    'src/engine',
+    'src/io',
+    'src/methods',
+    'src/mesh',
+  ],
   'src/cli': ['src/recipe', 'src/engine', 'src/io', 'src/methods', 'src/mesh'],
   web: [
     'src/editor',

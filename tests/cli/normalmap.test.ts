@@ -1,7 +1,7 @@
 import { writeFile } from 'node:fs/promises';
 import { afterEach, beforeEach, expect, test } from 'vitest';
-import { writePng } from '../../src/inputs/images/png.ts';
 import type { Image } from '../../src/inputs/images/image.ts';
+import { writePng } from '../../src/inputs/images/png.ts';
 import { objPositions, objText } from '../fixtures/mesh-files.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 import { bakedGlb, normalMap, paint, plate, pngOf, texturedObj } from '../fixtures/textured.ts';

@@ -4,9 +4,9 @@ import { writeWhole } from '../../src/cli/files.ts';
 import { createEngine } from '../../src/engine/client.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
+import { FakeCore, failLambda, fakeServices, trapLambda } from '../engine/fake-core.ts';
 import { until } from '../fixtures/until.ts';
 import { Desk } from './harness.ts';
-import { FakeCore, failLambda, fakeServices, trapLambda } from '../engine/fake-core.ts';
 
 let desk: Desk;
 beforeEach(async () => {

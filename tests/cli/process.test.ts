@@ -4,11 +4,11 @@ import { fileURLToPath } from 'node:url';
 import { afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
 import { createEngine } from '../../src/engine/client.ts';
 import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
+import { spawnThread } from '../engine/node-thread.ts';
 import { objText } from '../fixtures/mesh-files.ts';
 import { bunnyLevel, icosphere } from '../fixtures/meshes.ts';
 import { until } from '../fixtures/until.ts';
 import { Desk } from './harness.ts';
-import { spawnThread } from '../engine/node-thread.ts';
 
 /** The program as `npx whittle` runs it: compiled, in a process of its own. */
 const root = fileURLToPath(new URL('../..', import.meta.url));
