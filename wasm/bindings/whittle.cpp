@@ -53,8 +53,8 @@ int whittle_set_style(WhittleSession* session, const char* parameter, int32_t ki
 }
 
 int whittle_set_relief(WhittleSession* session, const char* parameter, const float* uvs, const float* slopes, int32_t face_count) {
-  if (face_count == 0) return session->keep(session->session.setRelief(parameter, std::nullopt));
-  return session->keep(session->session.setRelief(parameter, Relief{Eigen::Map<const CornerPairs>(uvs, 3 * face_count, 2),
+  if (face_count == 0) return session->keep(session->session.setTextureSlopes(parameter, std::nullopt));
+  return session->keep(session->session.setTextureSlopes(parameter, TextureSlopes{Eigen::Map<const CornerPairs>(uvs, 3 * face_count, 2),
                                                                     Eigen::Map<const CornerPairs>(slopes, 3 * face_count, 2)}));
 }
 

@@ -135,7 +135,7 @@ double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().
 
 }  // namespace
 
-TEST_CASE("yardstick: rotations and their ADMM are what they say") {
+TEST_CASE("reference: rotations and their ADMM are what they say") {
   Noise noise;
   for (int trial = 0; trial < 20; ++trial) {
     const Mat3 M = noise.matrix();
@@ -152,7 +152,7 @@ TEST_CASE("yardstick: rotations and their ADMM are what they say") {
   }
 }
 
-TEST_CASE("yardstick: ARAP with handles goes the same way") {
+TEST_CASE("reference: ARAP with handles goes the same way") {
   for (const NamedMesh& each : meshes()) {
     CAPTURE(each.name);
     const TriangleMesh& mesh = each.mesh;
@@ -164,7 +164,7 @@ TEST_CASE("yardstick: ARAP with handles goes the same way") {
   }
 }
 
-TEST_CASE("yardstick: analogies with constant targets move as in double precision, and their energy is the paper's") {
+TEST_CASE("reference: analogies with constant targets move as in double precision, and their energy is the paper's") {
   for (const NamedMesh& each : meshes()) {
     CAPTURE(each.name);
     const TriangleMesh& mesh = each.mesh;
@@ -191,7 +191,7 @@ TEST_CASE("yardstick: analogies with constant targets move as in double precisio
   }
 }
 
-TEST_CASE("yardstick: the cubic energy is the papers'") {
+TEST_CASE("reference: the cubic energy is the papers'") {
   for (const NamedMesh& each : meshes()) {
     CAPTURE(each.name);
     const TriangleMesh& mesh = each.mesh;
@@ -207,7 +207,7 @@ TEST_CASE("yardstick: the cubic energy is the papers'") {
   }
 }
 
-TEST_CASE("yardstick: the exact step goes the way of an ADMM run to its end") {
+TEST_CASE("reference: the exact step goes the way of an ADMM run to its end") {
   for (const NamedMesh& each : meshes()) {
     CAPTURE(each.name);
     const TriangleMesh& mesh = each.mesh;
@@ -218,7 +218,7 @@ TEST_CASE("yardstick: the exact step goes the way of an ADMM run to its end") {
   }
 }
 
-TEST_CASE("yardstick: cubic ends no higher than the printed iteration") {
+TEST_CASE("reference: cubic ends no higher than the printed iteration") {
   constexpr int kIterations = 60;
   for (const NamedMesh& each : meshes()) {
     CAPTURE(each.name);
@@ -237,7 +237,7 @@ TEST_CASE("yardstick: cubic ends no higher than the printed iteration") {
   }
 }
 
-TEST_CASE("yardstick: linear solves agree with Eigen's in double precision") {
+TEST_CASE("reference: linear solves agree with Eigen's in double precision") {
   Noise noise;
   for (const NamedMesh& each : meshes()) {
     CAPTURE(each.name);

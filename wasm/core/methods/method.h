@@ -13,7 +13,7 @@ enum class Outcome { running, converged, iterationLimit, stalled };
 struct StepReport {
   Outcome outcome = Outcome::running;
   double energy = 0;  // before the step, with the local step's new rotations (unit frame)
-  double change = 0;  // relative displacement: longest move of the step over longest way so far
+  double change = 0;  // relative displacement: longest move of the step over the largest displacement from rest
 };
 
 /// A method at work on one mesh. The rest mesh is in the unit frame and outlives the method. Its vertices are numbered in an elimination
@@ -39,7 +39,7 @@ struct MethodInfo {
   std::vector<ParameterInfo> parameters;
   std::unique_ptr<Method> (*create)();
   /// Says why a mesh, numbered as in the file, is not for this method: `unsuitableMesh`. nullptr: all are.
-  Status (*suits)(const TriangleMesh& mesh) = nullptr;
+  Status (*acceptsMesh)(const TriangleMesh& mesh) = nullptr;
 };
 
 }  // namespace whittle

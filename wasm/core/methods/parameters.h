@@ -25,7 +25,7 @@ enum class ParameterKind {
   scalars,    // a number for each vertex, or none
   rotations,  // a quaternion for each vertex, or none; one of zeros says nothing
   style,      // a Gauss map
-  relief,     // a texture's slopes
+  textureSlopes,  // a texture's slopes
   handles,
 };
 
@@ -71,13 +71,13 @@ inline ParameterInfo flagParameter(const char* name, Stale invalidates) {
   return {name, ParameterKind::flag, invalidates, 0, 0, 1};
 }
 
-/// Values for a method's parameters, in the order of its ParameterInfo list; handles beside them, in the unit frame, the style and the relief.
+/// Values for a method's parameters, in the order of its ParameterInfo list; handles beside them, in the unit frame, the style and the texture slopes.
 struct Settings {
   std::vector<double> numbers;
   std::vector<Scalars> scalars;  // by kind: #V, 4·#V, 4, `count` or 3·#rows numbers; empty where there are none
   Handles handles;
   std::shared_ptr<const GaussMap> style;  // nullptr: none
-  std::shared_ptr<const Relief> relief;   // nullptr: none
+  std::shared_ptr<const TextureSlopes> textureSlopes;   // nullptr: none
 
   static Settings defaults(const std::vector<ParameterInfo>& infos);
 };

@@ -39,26 +39,26 @@ TriangleMesh renumbered(const TriangleMesh& mesh, const Moved& moved, const From
 
 }  // namespace
 
-Numbering::Numbering(std::vector<Index> order) : vertexAt_(std::move(order)), placeOf_(vertexAt_.size()) {
+VertexOrder::VertexOrder(std::vector<Index> order) : vertexAt_(std::move(order)), placeOf_(vertexAt_.size()) {
   for (std::size_t place = 0; place < vertexAt_.size(); ++place) placeOf_[vertexAt_[place]] = static_cast<Index>(place);
 }
 
-Numbering Numbering::of(const TriangleMesh& mesh) {
+VertexOrder VertexOrder::of(const TriangleMesh& mesh) {
   const Graph graph = edgeGraph(mesh);
-  return Numbering(eliminationTree(graph, eliminationOrder(graph, &mesh.positions)).order);
+  return VertexOrder(eliminationTree(graph, eliminationOrder(graph, &mesh.positions)).order);
 }
 
-TriangleMesh Numbering::ordered(const TriangleMesh& mesh) const {
+TriangleMesh VertexOrder::ordered(const TriangleMesh& mesh) const {
   if (isFileOrder()) return mesh;
   return renumbered(mesh, [&](Index v) { return placeOf_[v]; }, [&](Index place) { return vertexAt_[place]; });
 }
 
-TriangleMesh Numbering::inFileOrder(const TriangleMesh& mesh) const {
+TriangleMesh VertexOrder::inFileOrder(const TriangleMesh& mesh) const {
   if (isFileOrder()) return mesh;
   return renumbered(mesh, [&](Index place) { return vertexAt_[place]; }, [&](Index v) { return placeOf_[v]; });
 }
 
-Settings Numbering::ordered(const Settings& settings, const std::vector<ParameterInfo>& infos) const {
+Settings VertexOrder::ordered(const Settings& settings, const std::vector<ParameterInfo>& infos) const {
   Settings result = settings;
   if (isFileOrder()) return result;
   for (std::size_t p = 0; p < infos.size(); ++p) {
@@ -70,7 +70,7 @@ Settings Numbering::ordered(const Settings& settings, const std::vector<Paramete
   return result;
 }
 
-Scalars Numbering::ordered(const Scalars& ofVertices, Index numbersEach) const {
+Scalars VertexOrder::ordered(const Scalars& ofVertices, Index numbersEach) const {
   Scalars result(ofVertices.size());
   for (Index place = 0; place * numbersEach < ofVertices.size(); ++place) {
     result.segment(place * numbersEach, numbersEach) = ofVertices.segment(vertexAt_[place] * numbersEach, numbersEach);

@@ -7,16 +7,16 @@
 
 namespace whittle {
 
-/// The order in which the methods have the vertices. It is an elimination order: sparse factors stay sparse, and what the loops read
+/// The order in which the methods have the vertices: an elimination order, in which sparse factors stay sparse and what the loops read
 /// together lies together. Faces stay as the file has them.
-class Numbering {
+class VertexOrder {
  public:
   /// The file's own.
-  Numbering() = default;
+  VertexOrder() = default;
   /// @param order place → vertex of the file
-  explicit Numbering(std::vector<Index> order);
+  explicit VertexOrder(std::vector<Index> order);
   /// A good one for a mesh, the same everywhere.
-  static Numbering of(const TriangleMesh& mesh);
+  static VertexOrder of(const TriangleMesh& mesh);
 
   bool isFileOrder() const { return vertexAt_.empty(); }
   /// Vertex of the file.

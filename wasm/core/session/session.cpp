@@ -84,16 +84,16 @@ Status Session::setStyle(const std::string& parameter, const std::optional<Gauss
   return {};
 }
 
-Status Session::setRelief(const std::string& parameter, std::optional<Relief> relief) {
+Status Session::setTextureSlopes(const std::string& parameter, std::optional<TextureSlopes> slopes) {
   std::size_t p;
-  const auto fits = [](const auto& info) { return info.kind == ParameterKind::relief; };
+  const auto fits = [](const auto& info) { return info.kind == ParameterKind::textureSlopes; };
   if (Status status = find(parameter, fits, p); !status.ok()) return status;
-  const bool isSame = settings_.relief ? relief && *settings_.relief == *relief : !relief;
+  const bool isSame = settings_.textureSlopes ? slopes && *settings_.textureSlopes == *slopes : !slopes;
   if (isSame) return {};
-  if (relief) {
-    if (Status status = validateRelief(*relief, rest_.faceCount()); !status.ok()) return status;
+  if (slopes) {
+    if (Status status = validateTextureSlopes(*slopes, rest_.faceCount()); !status.ok()) return status;
   }
-  settings_.relief = relief ? std::make_shared<const Relief>(std::move(*relief)) : nullptr;
+  settings_.textureSlopes = slopes ? std::make_shared<const TextureSlopes>(std::move(*slopes)) : nullptr;
   markStale(info_->parameters[p].invalidates);
   return {};
 }
@@ -113,19 +113,19 @@ Status Session::setHandles(Handles handles) {
 
 void Session::restart() { positions_ = rest_.positions; }
 
-void Session::number() {
-  numbering_ = Numbering::of(rest_);
-  rest_ = numbering_.ordered(rest_);
+void Session::orderVertices() {
+  vertexOrder_ = VertexOrder::of(rest_);
+  rest_ = vertexOrder_.ordered(rest_);
   restart();
 }
 
 Status Session::prepare() {
   if (Status status = requireMethod(); !status.ok()) return status;
-  if (stale_ == Stale::all && info_->suits) {
-    if (Status status = info_->suits(numbering_.inFileOrder(rest_)); !status.ok()) return status;
+  if (stale_ == Stale::all && info_->acceptsMesh) {
+    if (Status status = info_->acceptsMesh(vertexOrder_.inFileOrder(rest_)); !status.ok()) return status;
   }
-  if (numbering_.isFileOrder()) number();
-  Status status = method_->prepare(rest_, numbering_.ordered(settings_, info_->parameters), stale_);
+  if (vertexOrder_.isFileOrder()) orderVertices();
+  Status status = method_->prepare(rest_, vertexOrder_.ordered(settings_, info_->parameters), stale_);
   if (!status.ok()) return status;
   stale_ = Stale::nothing;
   method_->begin(positions_);
@@ -143,7 +143,7 @@ Status Session::step(StepReport& report) {
 void Session::copyPositions(double* into) const {
   Eigen::Map<Points> out(into, positions_.rows(), 3);
   for (Index place = 0; place < positions_.rows(); ++place) {
-    const Index v = numbering_.vertexAt(place);
+    const Index v = vertexOrder_.vertexAt(place);
     if (positions_.row(place) == rest_.positions.row(place)) {
       out.row(v) = filePositions_.row(v);
     } else {

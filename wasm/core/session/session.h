@@ -12,7 +12,7 @@
 namespace whittle {
 
 /// One mesh, one method at a time and the positions so far: what the outside drives. Speaks the file's units; works in
-/// the unit frame, on vertices in a `Numbering` that the first `prepare` finds. Every setter notes what it makes stale, `prepare`
+/// the unit frame, on vertices in a `VertexOrder` that the first `prepare` finds. Every setter notes what it makes stale, `prepare`
 /// recomputes just that.
 class Session {
  public:
@@ -30,7 +30,7 @@ class Session {
   /// A Gauss map, or none. Fails with `badParameter`.
   Status setStyle(const std::string& parameter, const std::optional<GaussMapData>& data);
   /// A texture's slopes, or none. Fails with `badParameter` or `unsuitableMesh`.
-  Status setRelief(const std::string& parameter, std::optional<Relief> relief);
+  Status setTextureSlopes(const std::string& parameter, std::optional<TextureSlopes> slopes);
   /// Targets in the file's units. Fails with `badHandles`.
   Status setHandles(Handles handles);
 
@@ -50,13 +50,13 @@ class Session {
   /// Finds the place of a parameter in the method's list, of one that `fits`. Fails with `badParameter`.
   template <typename Fits>
   Status find(const std::string& parameter, Fits fits, std::size_t& place) const;
-  void number();
+  void orderVertices();
   void markStale(Stale level) { stale_ = std::max(stale_, level); }
 
   Points filePositions_;  // #V×3, as loaded
-  TriangleMesh rest_;     // in the unit frame, by `numbering_`
+  TriangleMesh rest_;     // in the unit frame, by `vertexOrder_`
   UnitFrame frame_;
-  Numbering numbering_;
+  VertexOrder vertexOrder_;
   MeshReport report_;
 
   const MethodInfo* info_ = nullptr;
@@ -64,7 +64,7 @@ class Session {
   Settings settings_;
   Stale stale_ = Stale::all;
 
-  Points positions_;  // in the unit frame, by `numbering_`
+  Points positions_;  // in the unit frame, by `vertexOrder_`
 };
 
 }  // namespace whittle

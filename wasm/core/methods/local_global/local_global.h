@@ -23,7 +23,7 @@ std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own);
 /// @param usual how many iterations, by default
 std::vector<ParameterInfo> withIterations(std::vector<ParameterInfo> own, int usual);
 
-/// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, by turns over the rotations R (local step, the policy)
+/// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating between the rotations R (local step, the policy)
 /// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge). The
 /// energy of the points that iterations start from never rises, accelerated or not.
 class LocalGlobal : public Method {
@@ -50,10 +50,10 @@ class LocalGlobal : public Method {
 
   /// Fits the rotations to the displacements and leaves the residual of the global step; returns the energy.
   double localStep(const Displacements& displacements, Guess guess);
-  /// The same for elements whose covariances are there, of which it leaves the turns; returns what these change in the energy.
+  /// Fits the rotations of elements whose covariances are there and leaves their rotation changes; returns what these change in the energy.
   double fitBlock(ElementRange block, Guess guess);
   /// Moves the displacements from where the iteration started to the minimum for the rotations and writes the positions. Returns the
-  /// longest move of a vertex as a share of the longest way from rest, or not a number where one is not. Of an accelerated iteration both
+  /// longest move of a vertex as a share of the largest displacement, or not a number where one is not. Of an accelerated iteration both
   /// moves must be short: from where it started, which is what the plain one would report there, and from the iterate before.
   double globalStep(Points& positions);
 
@@ -80,7 +80,7 @@ class LocalGlobal : public Method {
   std::vector<QuaternionLanes> rotations_;
   std::optional<FreeScales> scales_;       // where the policy frees them
   std::vector<MatrixLanes> covariances_;   // of one block
-  std::vector<MatrixLanes> turns_;         // of one block
+  std::vector<MatrixLanes> rotationChanges_;  // of one block
   LaneRows residual_;                      // b − L V; then the corrections
   Displacements displacements_;            // of the iterate
   Displacements previous_;                 // of the iterate before

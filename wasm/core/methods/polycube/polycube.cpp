@@ -23,7 +23,7 @@ Mat3 crossMatrix(const Vec3& a) {
 
 }  // namespace
 
-Mat3 turnToward(const Vec3& n, const Vec3& t, double lambda) {
+Mat3 rotationChangeToward(const Vec3& n, const Vec3& t, double lambda) {
   const Vec3 normal = n.cross(t);
   const double sine = normal.norm(), cosine = n.dot(t);
   if (sine < kSameDirection) return Mat3::Zero();
@@ -72,7 +72,7 @@ Status PolyCube::step(Points& positions, StepReport& report) {
     return {};
   }
   previous_ = positions;
-  report.energy = turnFaces(positions);
+  report.energy = rotateFaces(positions);
   Status status = globalStep(positions);
   if (status.ok() && !(std::isfinite(report.energy) && positions.allFinite())) {
     status = Status::failure(Code::numericalFailure,
@@ -87,7 +87,7 @@ Status PolyCube::step(Points& positions, StepReport& report) {
   return {};
 }
 
-double PolyCube::turnFaces(const Points& positions) {
+double PolyCube::rotateFaces(const Points& positions) {
   const Triangles& triangles = rest_->triangles;
   halfCotangents(positions, triangles, halfCotangents_);
   moves_.setZero();
@@ -98,14 +98,14 @@ double PolyCube::turnFaces(const Points& positions) {
     const Vec3 vector = edges[0].cross(edges[1]), n = vector.stableNormalized();
     if (n.isZero(0)) continue;
     const Vec3 t = (*directions_)(n);
-    const Mat3 turn = turnToward(n, t, lambda_);
+    const Mat3 rotationChange = rotationChangeToward(n, t, lambda_);
     for (int k = 0; k < 3; ++k) {
-      const Vec3 pull = halfCotangents_(f, k) * (turn * edges[k]);
-      moves_.row(triangles(f, (k + 1) % 3)) -= pull.transpose();
-      moves_.row(triangles(f, (k + 2) % 3)) += pull.transpose();
+      const Vec3 force = halfCotangents_(f, k) * (rotationChange * edges[k]);
+      moves_.row(triangles(f, (k + 1) % 3)) -= force.transpose();
+      moves_.row(triangles(f, (k + 2) % 3)) += force.transpose();
     }
-    const Vec3 turned = n + turn * n;
-    energy += vector.norm() * (1 - turned.dot(n) + lambda_ * (1 - turned.dot(t)));
+    const Vec3 rotated = n + rotationChange * n;
+    energy += vector.norm() * (1 - rotated.dot(n) + lambda_ * (1 - rotated.dot(t)));
   }
   return energy;
 }
@@ -123,8 +123,8 @@ Status PolyCube::globalStep(Points& positions) {
 
 double PolyCube::relativeDisplacement(const Points& positions) const {
   const double move = (positions - previous_).rowwise().squaredNorm().maxCoeff();
-  const double way = (positions - rest_->positions).rowwise().squaredNorm().maxCoeff();
-  return StoppingRule::relativeDisplacement(move, way);
+  const double displacement = (positions - rest_->positions).rowwise().squaredNorm().maxCoeff();
+  return StoppingRule::relativeDisplacement(move, displacement);
 }
 
 MethodInfo polycubeMethod() {

@@ -30,8 +30,8 @@ class PolyCube : public Method {
  private:
   Status prepareRestShape(const TriangleMesh& rest);
   /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the energy.
-  double turnFaces(const Points& positions);
-  /// Moves the vertices to the minimum for these turns.
+  double rotateFaces(const Points& positions);
+  /// Moves the vertices to the minimum for these rotations.
   Status globalStep(Points& positions);
   double relativeDisplacement(const Points& positions) const;
 
@@ -49,13 +49,13 @@ class PolyCube : public Method {
 
   // Of the present shape
   CornerScalars halfCotangents_;
-  Points moves_;  // #V×3: what the turns ask for, then by how much the vertices move
+  Points moves_;  // #V×3: what the rotations ask for, then by how much the vertices move
   Points previous_;
 };
 
-/// What turns a face with unit normal n to the unit normal t as far as is best: the rotation R about n × t that maximises
-/// tr(R (I − n nᵀ)) + λ tᵀ R n, as R − I. Exactly zero where n is t or λ is 0; also where t is −n, from which no way leads.
-Mat3 turnToward(const Vec3& n, const Vec3& t, double lambda);
+/// Rotation change R − I of a face with unit normal n that is drawn to the unit normal t: R about n × t maximises
+/// tr(R (I − n nᵀ)) + λ tᵀ R n. Exactly zero where n is t or λ is 0; also where t is −n, from which no way leads.
+Mat3 rotationChangeToward(const Vec3& n, const Vec3& t, double lambda);
 
 /// Registry line of the method `polycube`.
 MethodInfo polycubeMethod();

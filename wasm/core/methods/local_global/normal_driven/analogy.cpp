@@ -11,9 +11,9 @@ enum Parameter { kStyle, kLambda, kRegularizer, kDynamicTargets, kLambdaPerVerte
 
 }  // namespace
 
-Rigidity NormalDriven::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
+Rigidity AnalogyLocalStep::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
 
-Status NormalDriven::prepare(const RestShape& rest, const Settings& settings) {
+Status AnalogyLocalStep::prepare(const RestShape& rest, const Settings& settings) {
   if (!settings.style) {
     return Status::failure(Code::badParameter, "an analogy needs a style; choose one, for example the cube");
   }
@@ -28,7 +28,7 @@ Status NormalDriven::prepare(const RestShape& rest, const Settings& settings) {
   return {};
 }
 
-void NormalDriven::observe(const Points& positions) {
+void AnalogyLocalStep::observe(const Points& positions) {
   if (!isDynamic_) return;
   if (rigidity_ == Rigidity::farap) {
     faceNormals(positions, *triangles_, present_);
@@ -38,7 +38,7 @@ void NormalDriven::observe(const Points& positions) {
   lookUpTargets();
 }
 
-void NormalDriven::lookUpTargets() {
+void AnalogyLocalStep::lookUpTargets() {
   for (Index k = 0; k < targets_.count(); ++k) {
     const Vec3 n = present_.row(k).transpose();
     if (targets_.strengths()[k] != 0 && !n.isZero(0)) targets_.set(k, (*style_)(n));
@@ -47,7 +47,7 @@ void NormalDriven::lookUpTargets() {
 
 MethodInfo analogyMethod() {
   const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<NormalDriven>(), kOwnParameters);
+    return std::make_unique<LocalGlobal>(std::make_unique<AnalogyLocalStep>(), kOwnParameters);
   };
   return {"analogy",
           withSharedParameters({{"style", ParameterKind::style, Stale::weights},

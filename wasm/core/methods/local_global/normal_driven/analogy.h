@@ -11,7 +11,7 @@ namespace whittle {
 /// style's Gauss map has for it.
 ///
 /// Targets are those of the rest shape's normals, or (dynamic, §4.2) of the output's, looked up anew in every iteration.
-class NormalDriven : public TargetedLocalStep {
+class AnalogyLocalStep : public TargetedLocalStep {
  public:
   Rigidity rigidity(const Settings& settings) const override;
   Status prepare(const RestShape& rest, const Settings& settings) override;

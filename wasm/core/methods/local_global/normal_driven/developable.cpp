@@ -10,13 +10,13 @@ enum Parameter { kLambda, kCreases, kLambdaPerVertex, kOwnParameters };
 
 }  // namespace
 
-Status Developable::prepare(const RestShape& rest, const Settings& settings) {
+Status DevelopableLocalStep::prepare(const RestShape& rest, const Settings& settings) {
   targets_.prepare(rest, Rigidity::farap, settings.numbers[kLambda], settings.scalars[kLambdaPerVertex]);
   normals_.prepare(rest.mesh, settings.numbers[kCreases]);
   return {};
 }
 
-void Developable::observe(const Points& positions) {
+void DevelopableLocalStep::observe(const Points& positions) {
   normals_.observe(positions);
   for (Index f = 0; f < targets_.count(); ++f) {
     const Vec3 target = normals_(f);
@@ -27,7 +27,7 @@ void Developable::observe(const Points& positions) {
 
 MethodInfo developableMethod() {
   const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<Developable>(), kOwnParameters, Ending::iterations);
+    return std::make_unique<LocalGlobal>(std::make_unique<DevelopableLocalStep>(), kOwnParameters, Ending::iterations);
   };
   return {"developable",
           withIterations({{"lambda", ParameterKind::number, Stale::weights, 20, 0, 1000},

@@ -8,7 +8,7 @@ namespace whittle {
 
 /// The local step of developable surface approximation (2021, §5.2, App. E): every face is drawn to the normal that the rings around it propose,
 /// looked up from the output in every iteration, while triangles keep their shape and edges between them bend freely (FARAP).
-class Developable : public TargetedLocalStep {
+class DevelopableLocalStep : public TargetedLocalStep {
  public:
   Rigidity rigidity(const Settings&) const override { return Rigidity::farap; }
   Status prepare(const RestShape& rest, const Settings& settings) override;

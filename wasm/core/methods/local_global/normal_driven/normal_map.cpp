@@ -17,26 +17,26 @@ ParameterInfo conformalByDefault() {
 
 }  // namespace
 
-Rigidity NormalMapped::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
+Rigidity NormalMapLocalStep::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
 
-Status NormalMapped::prepare(const RestShape& rest, const Settings& settings) {
-  if (!settings.relief) {
+Status NormalMapLocalStep::prepare(const RestShape& rest, const Settings& settings) {
+  if (!settings.textureSlopes) {
     return Status::failure(Code::badParameter, "normalmap needs a picture; give a normal map or a height map as image");
   }
   const Rigidity kind = rigidity(settings);
   targets_.prepare(rest, kind, settings.numbers[kLambda], settings.scalars[kLambdaPerVertex]);
   const auto raisedNormals = kind == Rigidity::farap ? raisedFaceNormals : raisedVertexNormals;
-  const Points targets = raisedNormals(rest.mesh, targets_.normals(), *settings.relief, settings.numbers[kStrength]);
+  const Points targets = raisedNormals(rest.mesh, targets_.normals(), *settings.textureSlopes, settings.numbers[kStrength]);
   for (Index k = 0; k < targets_.count(); ++k) targets_.set(k, targets.row(k).transpose());
   return {};
 }
 
 MethodInfo normalmapMethod() {
   const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<NormalMapped>(), kOwnParameters);
+    return std::make_unique<LocalGlobal>(std::make_unique<NormalMapLocalStep>(), kOwnParameters);
   };
   return {"normalmap",
-          withSharedParameters({{"image", ParameterKind::relief, Stale::weights},
+          withSharedParameters({{"image", ParameterKind::textureSlopes, Stale::weights},
                                 {"strength", ParameterKind::number, Stale::weights, 1, -20, 20},
                                 {"lambda", ParameterKind::number, Stale::weights, 10, 0, 1000},
                                 conformalByDefault(),
