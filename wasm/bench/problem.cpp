@@ -67,12 +67,12 @@ TextureSlopes waves(const TriangleMesh& mesh) {
 }
 
 Status chooseParameters(Session& session, const Problem& problem) {
-  if (problem.method == "cubic") return session.setNumber("lambda", problem.plain.cubeness);
-  if (problem.method == "normalmap") return session.setTextureSlopes("image", waves(problem.mesh));
-  if (problem.method == "polycube") return session.setStyle("directions", GaussMapData{.normals = sidesOfCube()});
+  if (problem.method == "cubic") return session.set("lambda", encoded(problem.plain.cubeness));
+  if (problem.method == "normalmap") return session.set("image", encoded(waves(problem.mesh)));
+  if (problem.method == "polycube") return session.set("directions", encoded(GaussMapData{.normals = sidesOfCube()}));
   if (problem.method != "analogy") return {};
-  if (Status status = session.setNumber("lambda", problem.plain.strength); !status.ok()) return status;
-  return session.setStyle("style", GaussMapData{.normals = problem.plain.style});
+  if (Status status = session.set("lambda", encoded(problem.plain.strength)); !status.ok()) return status;
+  return session.set("style", encoded(GaussMapData{.normals = problem.plain.style}));
 }
 
 }  // namespace
@@ -102,9 +102,9 @@ Status open(Session& session, const Problem& problem) {
   if (Status status = session.select(problem.method); !status.ok()) return status;
   if (Status status = chooseParameters(session, problem); !status.ok()) return status;
   if (!problem.hasPlainPath()) return {};
-  if (Status status = session.setNumber("tolerance", 0); !status.ok()) return status;
-  if (Status status = session.setNumber("maxIterations", 1e6); !status.ok()) return status;
-  return session.setHandles(problem.plain.handles);
+  if (Status status = session.set("tolerance", encoded(0)); !status.ok()) return status;
+  if (Status status = session.set("maxIterations", encoded(1e6)); !status.ok()) return status;
+  return session.set("handles", encoded(problem.plain.handles));
 }
 
 }  // namespace whittle::bench

@@ -81,20 +81,18 @@ Points directions() {
 
 /// Starts a run of the plain alternation: acceleration `none`, without a tolerance.
 void begin(Session& session, const TriangleMesh& mesh, const Setup& setup) {
-  enum { kExact, kAdmm };
-  enum { kNesterov, kRelaxed, kNone };
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select(setup.method).ok());
   if (setup.method == "cubic") {
-    REQUIRE(session.setNumber("lambda", setup.lambda).ok());
-    REQUIRE(session.setNumber("localStep", setup.localStep == "admm" ? kAdmm : kExact).ok());
+    REQUIRE(session.set("lambda", encoded(setup.lambda)).ok());
+    REQUIRE(session.set("localStep", encoded(setup.localStep)).ok());
   } else if (setup.method == "analogy") {
-    REQUIRE(session.setNumber("lambda", setup.lambda).ok());
-    REQUIRE(session.setStyle("style", GaussMapData{.normals = directions()}).ok());
+    REQUIRE(session.set("lambda", encoded(setup.lambda)).ok());
+    REQUIRE(session.set("style", encoded(GaussMapData{.normals = directions()})).ok());
   }
-  REQUIRE(session.setNumber("acceleration", kNone).ok());
-  REQUIRE(session.setNumber("tolerance", 0).ok());
-  REQUIRE(session.setHandles(setup.handles).ok());
+  REQUIRE(session.set("acceleration", encoded("none")).ok());
+  REQUIRE(session.set("tolerance", encoded(0)).ok());
+  REQUIRE(session.set("handles", encoded(setup.handles)).ok());
   REQUIRE(session.prepare().ok());
 }
 

@@ -17,9 +17,6 @@ class StoppingRule {
  public:
   enum class Quantity { displacement, energy, iterations };
 
-  /// The parameter that chooses among the first two.
-  static ParameterInfo parameter() { return choiceParameter("stopOn", Stale::targets, {"displacement", "energy"}); }
-
   Quantity quantity = Quantity::displacement;
   double tolerance = 3e-3;
   int maxIterations = 1000;

@@ -27,14 +27,11 @@ Graph edgeGraph(const TriangleMesh& mesh) {
   return graphOf(mesh.vertexCount(), edges);
 }
 
-/// @param moved where a vertex goes
-/// @param from where the vertex comes from that is to stand at a place
-template <typename Moved, typename From>
-TriangleMesh renumbered(const TriangleMesh& mesh, const Moved& moved, const From& from) {
-  TriangleMesh result{Points(mesh.vertexCount(), 3), Triangles(mesh.faceCount(), 3)};
-  for (Index v = 0; v < mesh.vertexCount(); ++v) result.positions.row(v) = mesh.positions.row(from(v));
-  for (Index i = 0; i < mesh.triangles.size(); ++i) result.triangles.data()[i] = moved(mesh.triangles.data()[i]);
-  return result;
+/// Triangles whose vertices have moved to other places.
+template <typename Moved>
+Triangles renumbered(Triangles triangles, const Moved& moved) {
+  for (Index corner = 0; corner < triangles.size(); ++corner) triangles.data()[corner] = moved(triangles.data()[corner]);
+  return triangles;
 }
 
 }  // namespace
@@ -49,33 +46,11 @@ VertexOrder VertexOrder::of(const TriangleMesh& mesh) {
 }
 
 TriangleMesh VertexOrder::ordered(const TriangleMesh& mesh) const {
-  if (isFileOrder()) return mesh;
-  return renumbered(mesh, [&](Index v) { return placeOf_[v]; }, [&](Index place) { return vertexAt_[place]; });
+  return {orderedRows(mesh.positions), renumbered(mesh.triangles, [&](Index v) { return placeOf(v); })};
 }
 
-TriangleMesh VertexOrder::inFileOrder(const TriangleMesh& mesh) const {
-  if (isFileOrder()) return mesh;
-  return renumbered(mesh, [&](Index place) { return vertexAt_[place]; }, [&](Index v) { return placeOf_[v]; });
-}
-
-Settings VertexOrder::ordered(const Settings& settings, const std::vector<ParameterInfo>& infos) const {
-  Settings result = settings;
-  if (isFileOrder()) return result;
-  for (std::size_t p = 0; p < infos.size(); ++p) {
-    const Scalars& values = settings.scalars[p];
-    if (infos[p].kind == ParameterKind::scalars) result.scalars[p] = ordered(values, 1);
-    if (infos[p].kind == ParameterKind::rotations) result.scalars[p] = ordered(values, 4);
-  }
-  for (Index& v : result.handles.vertices) v = placeOf_[v];
-  return result;
-}
-
-Scalars VertexOrder::ordered(const Scalars& ofVertices, Index numbersEach) const {
-  Scalars result(ofVertices.size());
-  for (Index place = 0; place * numbersEach < ofVertices.size(); ++place) {
-    result.segment(place * numbersEach, numbersEach) = ofVertices.segment(vertexAt_[place] * numbersEach, numbersEach);
-  }
-  return result;
+TriangleMesh VertexOrder::asLoaded(const TriangleMesh& mesh) const {
+  return {rowsAsLoaded(mesh.positions), renumbered(mesh.triangles, [&](Index place) { return vertexAt(place); })};
 }
 
 }  // namespace whittle

@@ -33,10 +33,10 @@ struct Boxed {
 
 void prepareBoxed(Session& session, const Boxed& boxed) {
   REQUIRE(session.select("polycube").ok());
-  REQUIRE(session.setStyle("directions", boxed.directions).ok());
-  REQUIRE(session.setNumber("lambda", boxed.lambda).ok());
-  REQUIRE(session.setNumber("smoothing", boxed.smoothing).ok());
-  REQUIRE(session.setNumber("maxIterations", boxed.maxIterations).ok());
+  REQUIRE(session.set("directions", encoded(boxed.directions)).ok());
+  REQUIRE(session.set("lambda", encoded(boxed.lambda)).ok());
+  REQUIRE(session.set("smoothing", encoded(boxed.smoothing)).ok());
+  REQUIRE(session.set("maxIterations", encoded(boxed.maxIterations)).ok());
   REQUIRE(session.prepare().ok());
 }
 

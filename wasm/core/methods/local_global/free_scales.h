@@ -22,10 +22,15 @@ class FreeScales {
   /// @param covariances M − M⁰, the target term included
   Lanes fit(std::size_t batch, Lanes alignmentGains, const MatrixLanes& covariances, MatrixLanes& rotationChanges);
 
+  /// Copies the scales s_k of the last fit, one number per element.
+  void copyTo(Scalars& scales) const {
+    for (Index k = 0; k < scales.size(); ++k) scales[k] = 1 + static_cast<double>(growths_[k / 4][k % 4]);
+  }
+
  private:
   std::vector<Lanes> weights_;      // w
   std::vector<Lanes> targetWeights_;  // a |n|²
-  std::vector<Lanes> growths_;
+  std::vector<Lanes> growths_;        // s − 1
 };
 
 }  // namespace whittle

@@ -17,65 +17,44 @@ constexpr double kRounding = 2e-8;
 /// Elements that go through the local step together: as many as the nearest cache holds all of.
 constexpr Index kBlock = 64;
 
-enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance };
-
-ParameterInfo maxIterationsParameter(int usual) {
-  return {"maxIterations", ParameterKind::integer, Stale::targets, static_cast<double>(usual), 0, 1e6};
-}
-
 }  // namespace
 
-std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own) {
-  own.push_back({"handles", ParameterKind::handles, Stale::system});
-  own.push_back(Acceleration::parameter());
-  own.push_back(StoppingRule::parameter());
-  own.push_back({"tolerance", ParameterKind::number, Stale::targets, 3e-3, 0, 1});
-  own.push_back(maxIterationsParameter(1000));
-  return own;
+std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<EngineValues()> values,
+                                     std::function<void(const RestShape& rest)> prepareStep, Stale stale) {
+  return Plan(stale)
+      .add(Stale::all, "measuring the mesh", 4, [this, &rest] { measure(rest); })
+      .add(Stale::all, "collecting the edges", 8, [this, values] { collectEdges(values().rigidity); })
+      .add(Stale::system, "factoring the system", 60, [this, values] { return prepareSystem(values().handles); })
+      .add(Stale::weights, "preparing the local step", 4,
+           [this, prepareStep] {
+             prepareStep(*rest_);
+             if (scales_) scales_->prepare(*edges_, localStep_.targetWeights());
+           })
+      .add(Stale::targets, "taking the settings", 1,
+           [this, values] {
+             const auto [rigidity, handles, solver] = values();
+             handles_ = handles;
+             accelerationKind_ = solver.acceleration;
+             stopping_.quantity = solver.stopOn;
+             stopping_.tolerance = solver.tolerance;
+             stopping_.maxIterations = solver.maxIterations;
+           })
+      .stages();
 }
 
-std::vector<ParameterInfo> withIterations(std::vector<ParameterInfo> own, int usual) {
-  own.push_back({"handles", ParameterKind::handles, Stale::system});
-  own.push_back(maxIterationsParameter(usual));
-  return own;
-}
-
-Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
-  if (stale == Stale::nothing) return {};
-  takeEnding(settings);
-  handles_.targets = settings.handles.targets;
-  if (stale >= Stale::all) prepareRestShape(rest, localStep_->rigidity(settings));
-  if (stale >= Stale::weights) {
-    if (Status status = localStep_->prepare(*rest_, settings); !status.ok()) return status;
-    if (scales_) scales_->prepare(*edges_, localStep_->targetWeights());
-  }
-  if (stale < Stale::system) return {};
-  Status status = prepareSystem(settings.handles);
-  if (status.ok() && stale >= Stale::all) claimRunningState();  // late: the factorization's memory is the peak
-  return status;
-}
-
-void LocalGlobal::takeEnding(const Settings& settings) {
-  stopping_.maxIterations = static_cast<int>(settings.numbers.back());
-  if (ending_ == Ending::iterations) {
-    stopping_.quantity = StoppingRule::Quantity::iterations;
-    return;
-  }
-  const double* shared = settings.numbers.data() + ownParameters_;
-  accelerationKind_ = static_cast<Acceleration::Kind>(shared[kAcceleration]);
-  stopping_.quantity = static_cast<StoppingRule::Quantity>(shared[kStopOn]);
-  stopping_.tolerance = shared[kTolerance];
-}
-
-void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) {
+void LocalGlobal::measure(const TriangleMesh& rest) {
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
-  edges_ = makeEdgeSet(edgeSetOf(rigidity), rest, halfCotangents_);
+  components_ = connectedComponents(rest.triangles, rest.vertexCount());
+}
+
+void LocalGlobal::collectEdges(Rigidity rigidity) {
+  edges_ = makeEdgeSet(edgeSetOf(rigidity), rest_->mesh, halfCotangents_);
   sizeOfTerms_ = 0;
   for (const SymmetricLanes& M : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(M.xx + M.yy + M.zz));
   scales_.reset();
   if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
-  components_ = connectedComponents(rest.triangles, rest.vertexCount());
+  isClaimed_ = false;
 }
 
 void LocalGlobal::claimRunningState() {
@@ -86,10 +65,10 @@ void LocalGlobal::claimRunningState() {
   residual_.assign(ConstrainedQuadratic::paddedRows(vertexCount), {});
   for (auto* displacements : {&displacements_, &previous_}) displacements->resize(vertexCount, edges_->stiffEdges());
   acceleration_.resize(vertexCount, edges_->stiffEdges());
+  isClaimed_ = true;
 }
 
 Status LocalGlobal::prepareSystem(const Handles& handles) {
-  handles_ = handles;
   gauge_.emplace(components_, handles.vertices, rest_->mesh.positions, rest_->areas);
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
@@ -98,10 +77,11 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
 }
 
 void LocalGlobal::begin(Points& positions) {
+  if (!isClaimed_) claimRunningState();
   stopping_.begin();
-  acceleration_.begin(localStep_->followsOutput() ? Acceleration::Kind::none : accelerationKind_);
+  acceleration_.begin(localStep_.followsOutput() ? Acceleration::Kind::none : accelerationKind_);
   energy_ = std::numeric_limits<double>::infinity();
-  localStep_->begin();
+  localStep_.begin();
   for (auto* rotations : {&guess_, &rotations_}) std::fill(rotations->begin(), rotations->end(), identityRotations());
   applyHandles(handles_, positions);
   displacements_.measure(positions, rest_->mesh.positions);
@@ -114,8 +94,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   }
   guess_.swap(rotations_);
   const bool extrapolated = acceleration_.extrapolate(displacements_, previous_);
-  if (localStep_->followsOutput()) {
-    localStep_->observe(positions);
+  if (localStep_.followsOutput()) {
+    localStep_.observe(positions);
     energy_ = std::numeric_limits<double>::infinity();
   }
   report.energy = localStep(acceleration_.start(), Guess::continued);
@@ -139,7 +119,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 
 double LocalGlobal::localStep(const Displacements& displacements, Guess guess) {
   std::fill(residual_.begin(), residual_.end(), LaneRow{});
-  double energy = localStep_->targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
+  double energy = localStep_.targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
   const Index count = edges_->elementCount();
   for (Index first = 0; first < count; first += kBlock) {
     const ElementRange block{first, std::min(first + kBlock, count)};
@@ -157,9 +137,9 @@ double LocalGlobal::fitBlock(ElementRange block, Guess guess) {
     MatrixLanes& rotationChanges = rotationChanges_[b - block.firstBatch()];
     QuaternionLanes& rotations = rotations_[b];
     const SymmetricLanes& rest = edges_->restCovariances()[b];
-    localStep_->addTargetTerm(b, covariances);
+    localStep_.addTargetTerm(b, covariances);
     rotations = guess == Guess::continued ? continued(guess_[b], rotations) : guess_[b];
-    const Lanes regularizers = localStep_->fit(b, rest + covariances, guess == Guess::bound, rotations);
+    const Lanes regularizers = localStep_.fit(b, rest + covariances, guess == Guess::bound, rotations);
     rotationChanges = rotationChange(rotations);
     const Lanes alignmentGains = traceOfProduct(rotationChanges, rest) + traceOfProduct(rotationChanges, covariances);
     Lanes changes = regularizers - alignmentGains;
@@ -200,6 +180,11 @@ double LocalGlobal::globalStep(Points& positions) {
   applyHandles(handles_, positions);  // to the bit
   const auto largest = [](Lanes v) { return std::max({v[0], v[1], v[2], v[3]}); };
   return StoppingRule::relativeDisplacement(largest(move), largest(displacement));
+}
+
+std::vector<Field> LocalGlobal::fields() const {
+  if (!scales_) return {};
+  return {{"size", "Change of size", Field::Per::vertex, "×", [this](Scalars& values) { scales_->copyTo(values); }}};
 }
 
 }  // namespace whittle

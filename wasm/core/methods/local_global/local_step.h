@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "geometry/rotation_fit.h"
-#include "methods/local_global/rigidity.h"
-#include "methods/parameters.h"
+#include "mesh/triangle_mesh.h"
 
 namespace whittle {
 
@@ -15,15 +14,10 @@ struct RestShape {
   Points normals;  // #V×3, unit or zero
 };
 
-/// The policy of a local/global method: how each element's rotation is chosen.
+/// The policy of a local/global method: how each element's rotation is chosen. What belongs to its parameters stands in `LocalStepPolicy`.
 class LocalStep {
  public:
   virtual ~LocalStep() = default;
-
-  virtual Rigidity rigidity(const Settings&) const { return Rigidity::arap; }
-
-  /// Takes the parameters that the policy knows; called when weights or more are stale. `rest` outlives the policy’s use.
-  virtual Status prepare(const RestShape& rest, const Settings& settings) = 0;
 
   /// Forgets what earlier iterations left.
   virtual void begin() {}

@@ -39,11 +39,11 @@ TextureSlopes waves(const TriangleMesh& mesh, double height, double periods) {
   return texture;
 }
 
-void prepareNormalmap(Session& session, const TriangleMesh& mesh, const TextureSlopes& texture, int regularizer) {
+void prepareNormalmap(Session& session, const TriangleMesh& mesh, const TextureSlopes& texture, const std::string& regularizer) {
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("normalmap").ok());
-  REQUIRE(session.setTextureSlopes("image", texture).ok());
-  REQUIRE(session.setNumber("regularizer", regularizer).ok());
+  REQUIRE(session.set("image", encoded(texture)).ok());
+  REQUIRE(session.set("regularizer", encoded(regularizer)).ok());
   REQUIRE(session.prepare().ok());
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("what is flat, or has no frame, keeps its normal to the bit") {
     CHECK(raisedFaceNormals(mesh, faces, texture, 1) == faces);
     CHECK(validateTextureSlopes(texture, mesh.faceCount()).code == Code::unsuitableMesh);
   }
-  for (int regularizer = 0; regularizer < 3; ++regularizer) {
+  for (const std::string regularizer : {"arap", "farap", "acap"}) {
     Session session;
     prepareNormalmap(session, mesh, slopeOn(mesh, Eigen::Matrix2d::Identity(), {0, 0}), regularizer);
     StepReport report;
@@ -122,7 +122,7 @@ TEST_CASE("the energy never rises, steps claim no memory, and faces come to face
     for (Index f = 0; f < mesh.faceCount(); ++f) sum += std::acos(std::min(1.0, normals.row(f).dot(targets.row(f))));
     return sum / mesh.faceCount() * 180 / EIGEN_PI;
   };
-  for (int regularizer = 0; regularizer < 3; ++regularizer) {
+  for (const std::string regularizer : {"arap", "farap", "acap"}) {
     Session session;
     prepareNormalmap(session, mesh, texture, regularizer);
     StepReport report;
@@ -152,13 +152,13 @@ TEST_CASE("what cannot be done with a texture is refused by name") {
   const Status none = session.prepare();
   CHECK(none.code == Code::badParameter);
   CHECK(none.message.find("needs a picture") != std::string::npos);
-  CHECK(session.setTextureSlopes("strength", good).code == Code::badParameter);
-  CHECK(session.setTextureSlopes("image", waves(grid(5), 0.1, 1)).code == Code::badParameter);
+  CHECK(session.set("strength", encoded(good)).code == Code::badParameter);
+  CHECK(session.set("image", encoded(waves(grid(5), 0.1, 1))).code == Code::badParameter);
   TextureSlopes infinite = good;
   infinite.slopes(3, 1) = std::numeric_limits<float>::infinity();
-  CHECK(session.setTextureSlopes("image", infinite).code == Code::badParameter);
-  REQUIRE(session.setTextureSlopes("image", good).ok());
+  CHECK(session.set("image", encoded(infinite)).code == Code::badParameter);
+  REQUIRE(session.set("image", encoded(good)).ok());
   REQUIRE(session.prepare().ok());
-  REQUIRE(session.setTextureSlopes("image", std::nullopt).ok());
+  REQUIRE(session.set("image", EncodedValue()).ok());
   CHECK(session.prepare().code == Code::badParameter);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "methods/local_global/local_step.h"
+#include "methods/local_global/rigidity.h"
 #include "simd/lane_algebra.h"
 
 namespace whittle {
