@@ -92,6 +92,12 @@ Points randomPoints(Index n, Noise& noise) {
   return points;
 }
 
+Eigen::MatrixXd randomMatrix(Index rows, Index columns, Noise& noise) {
+  Eigen::MatrixXd matrix(rows, columns);
+  for (double& number : matrix.reshaped()) number = noise();
+  return matrix;
+}
+
 Index pick(Index n, Noise& noise) { return static_cast<Index>((noise() + 1) / 2 * n) % n; }
 
 }  // namespace whittle::testing

@@ -29,6 +29,9 @@ SparseMatrix matrixOn(Index n, const Edges& edges, Noise& noise, Index blockSize
 
 Points randomPoints(Index n, Noise& noise);
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+Eigen::MatrixXd randomMatrix(Index rows, Index columns, Noise& noise);
+
 /// A random number of a node, in [0, n).
 Index pick(Index n, Noise& noise);
 
