@@ -9,7 +9,7 @@ import { runJob } from './job.ts';
 import { createNodeEngine } from './node-engine.ts';
 import { readParameters } from './parameters.ts';
 import { exitCodes, explain } from './problems.ts';
-import { Progress, type ProgressStream } from './progress.ts';
+import { ProgressLine, type ProgressStream } from './progress.ts';
 import type { RunReport } from './report.ts';
 
 /** Where a command line writes and how it hears of Ctrl-C. */
@@ -67,7 +67,7 @@ async function run(
   const { files } = command;
   const steps = await stepsOf(command);
   const recipe = command.kind === 'recipe' ? command.recipe : undefined;
-  const progress = new Progress(stderr, files.quiet);
+  const progress = new ProgressLine(stderr, files.quiet);
   const engine = openEngine();
   let report: RunReport;
   try {

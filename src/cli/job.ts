@@ -6,7 +6,7 @@ import { type RecipeStep, runRecipe } from '../recipe/index.ts';
 import type { RunFiles } from './command.ts';
 import { readBytes, requireFolderOf, writeWhole } from './files.ts';
 import { UsageError } from './problems.ts';
-import type { Progress } from './progress.ts';
+import type { ProgressLine } from './progress.ts';
 import { inputReport, type RunReport, stepReport } from './report.ts';
 
 export interface Job {
@@ -14,7 +14,7 @@ export interface Job {
   /** The recipe's file, if there is one: the styles and images that it names lie beside it. */
   readonly recipe?: string | undefined;
   readonly files: RunFiles;
-  readonly progress: Progress;
+  readonly progress: ProgressLine;
   /** Aborts: before the first iteration the job rejects with the reason, later it keeps what it has. */
   readonly signal: AbortSignal;
 }

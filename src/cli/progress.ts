@@ -1,4 +1,4 @@
-import type { Frame } from '../engine/protocol.ts';
+import type { Progress } from '../engine/protocol.ts';
 
 /** The part of a stream that progress needs. */
 export interface ProgressStream {
@@ -8,20 +8,20 @@ export interface ProgressStream {
 }
 
 /** One line that is written over and over, on a terminal only. */
-export class Progress {
+export class ProgressLine {
   readonly #stream: ProgressStream | undefined;
 
   constructor(stream: ProgressStream, quiet: boolean) {
     this.#stream = stream.isTTY && !quiet ? stream : undefined;
   }
 
-  /** A listener for the frames of one step. */
-  follow(step: string): (frame: Frame) => void {
+  /** A listener for the progress of one step. */
+  follow(step: string): (progress: Progress) => void {
     const began = performance.now();
     this.show(step);
-    return ({ iteration, change }) => {
+    return (progress) => {
       const seconds = ((performance.now() - began) / 1000).toFixed(1);
-      this.show(`${step}  iteration ${iteration}  change ${change.at(-1)?.toExponential(1)}  ${seconds} s`);
+      this.show(`${step}  ${inWords(progress)}  ${seconds} s`);
     };
   }
 
@@ -32,4 +32,9 @@ export class Progress {
   clear(): void {
     this.#stream?.write('\r\x1b[K');
   }
+}
+
+function inWords(progress: Progress): string {
+  if (progress.kind === 'preparing') return `${progress.stage}, ${Math.round(100 * progress.share)} %`;
+  return `iteration ${progress.iteration}  change ${progress.change.at(-1)?.toExponential(1)}`;
 }

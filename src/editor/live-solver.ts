@@ -1,5 +1,5 @@
 import type { Engine } from '../engine/client.ts';
-import type { Frame } from '../engine/protocol.ts';
+import type { Progress } from '../engine/protocol.ts';
 import { type Resolver, runStep, type StepOptions, type StepRun } from '../recipe/index.ts';
 import { amend } from './history.ts';
 import type { Presenter } from './presenter.ts';
@@ -65,7 +65,7 @@ export class LiveSolver {
     const task = this.#tasks.begin();
     try {
       for (let next = this.#next(); next && !task.signal.aborted; next = this.#next()) {
-        const run = await this.#run(task, next, { start: 'rest', frames: watch }, watch);
+        const run = await this.#run(task, next, { start: 'rest', positions: watch }, watch);
         if (!task.current()) return;
         this.#finish(next, run, watch);
       }
@@ -99,7 +99,7 @@ export class LiveSolver {
     const inputs = inputsOf(step, from, project.assets);
     const placed = { step, inputs, isSettled: false };
     try {
-      const run = await this.#run(task, placed, { start: 'current', frames: true }, true);
+      const run = await this.#run(task, placed, { start: 'current', positions: true }, true);
       // A run that was overtaken by a later value or by the settling run still is the nearest there is to its shape.
       if (!this.#isStill(placed)) return;
       const isStopped = run.outcome === 'cancelled' && task.signal.aborted;
@@ -122,22 +122,26 @@ export class LiveSolver {
   async #run(
     task: Task,
     { step, inputs }: PlacedStep,
-    how: Pick<StepOptions, 'start' | 'frames'>,
+    how: Pick<StepOptions, 'start' | 'positions'>,
     live: boolean,
   ): Promise<StepRun> {
     const project = this.#store.state.project!;
     const energy: number[] = [];
-    const activity = { kind: 'solving', step: step.id, live, energy } as const;
-    this.#store.set({ activity: { ...activity, iteration: 0 } });
-    const onFrame = async (frame: Frame) => {
-      energy.push(...frame.energy);
+    const activity = { kind: 'solving', step: step.id, live, energy, preparing: null, iteration: 0 } as const;
+    this.#store.set({ activity });
+    const onProgress = async (progress: Progress) => {
+      if (progress.kind === 'iterating') energy.push(...progress.energy);
       if (!task.current()) return;
-      this.#store.set({ activity: { ...activity, iteration: frame.iteration } });
-      if (frame.positions) await this.#presenter.frame(project.mesh, frame.positions);
+      if (progress.kind === 'preparing') {
+        this.#store.set({ activity: { ...activity, preparing: progress } });
+        return;
+      }
+      this.#store.set({ activity: { ...activity, iteration: progress.iteration } });
+      if (progress.positions) await this.#presenter.follow(project.mesh, progress.positions);
     };
     const { normalMap } = project.source;
     const surface = { mesh: meshAt(project, inputs.from), normalMap };
-    const options = { ...how, onFrame, signal: task.signal };
+    const options = { ...how, onProgress, signal: task.signal };
     return patiently(task, () => runStep(this.#engine, this.#resolver, surface, step, options));
   }
 

@@ -15,7 +15,7 @@ export interface PresenterOptions {
   readonly drawn?: () => Promise<void>;
 }
 
-/** Shows the right thing at the right time: the project, a running solve's frames, or the file's own shape to compare. */
+/** Shows the right thing at the right time: the project, a running solve's positions, or the file's own shape to compare. */
 export class Presenter {
   readonly #canvas: Canvas | null;
   readonly #glide: () => number;
@@ -51,8 +51,8 @@ export class Presenter {
     this.#project = project;
   }
 
-  /** Draws a frame of a running solve (#P×3); resolves when it has been seen. */
-  frame(mesh: Mesh, positions: Float64Array): Promise<void> {
+  /** Draws positions of a running solve (#P×3); resolves when they have been seen. */
+  follow(mesh: Mesh, positions: Float64Array): Promise<void> {
     if (mesh === this.#mesh && !this.#comparing) this.#canvas?.update(positions);
     return this.#drawn();
   }

@@ -12,6 +12,8 @@ export type Activity =
       readonly step: number;
       /** Following a gesture, or settling what it left. */
       readonly live: boolean;
+      /** What is being prepared, and how far that is, 0 to 1; null once it iterates. */
+      readonly preparing: { readonly stage: string; readonly share: number } | null;
       readonly iteration: number;
       readonly energy: readonly number[];
     };

@@ -1,11 +1,11 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { weldOf } from '../mesh/weld.ts';
-import { Connection, type FrameListener } from './connection.ts';
+import { Connection, type ProgressListener } from './connection.ts';
 import type { ClientPort } from './port.ts';
 import type { ReadResult, Solved, SolveSettings } from './protocol.ts';
 
-export type { FrameListener } from './connection.ts';
+export type { ProgressListener } from './connection.ts';
 
 export interface CallOptions {
   /** When it aborts, the call rejects with the signal's reason. */
@@ -16,11 +16,11 @@ export interface SolveOptions {
   /** When it aborts, the run stops at its next step and the promise *resolves* with outcome 'cancelled' and what there is. */
   readonly signal?: AbortSignal | undefined;
   /**
-   * Called with the latest frame; if it returns a promise, the next frame waits for it (the solve does not). The frame's
-   * `positions` belong to the listener only until then: their buffer goes back to the worker and becomes empty here.
-   * Iterations after the last frame are in {@link Solved} alone.
+   * Called with the latest progress; if it returns a promise, the next waits for it (the solve does not). Its `positions`
+   * belong to the listener only until then: their buffer goes back to the worker and becomes empty here. Iterations after the
+   * last progress are in {@link Solved} alone.
    */
-  readonly onFrame?: FrameListener | undefined;
+  readonly onProgress?: ProgressListener | undefined;
 }
 
 /**
@@ -46,6 +46,11 @@ export interface Engine {
    * continues from the mesh's latest run; if there was none in this worker (it may have died since), from the file's shape.
    */
   solve(mesh: Mesh, settings: SolveSettings, options?: SolveOptions): Promise<Solved>;
+  /**
+   * A scalar field of the mesh's latest run, by its name in {@link Solved.fields}: #P in the file's order, or #F. Rejects with
+   * `bad-parameter` where there is none.
+   */
+  field(mesh: Mesh, name: string): Promise<Float64Array<ArrayBuffer>>;
   /** Frees what the worker holds for a mesh. The mesh may be used again and is then sent again. */
   release(mesh: Mesh): void;
   /** Ends the worker. Pending and later calls reject with `worker-lost`. */
@@ -97,7 +102,7 @@ class WorkerEngine implements Engine {
     const connection = this.#connect();
     const key = this.#keyOf(mesh);
     await this.#load(connection, mesh);
-    const { id, answer } = connection.ask({ type: 'solve', key, settings }, options.onFrame);
+    const { id, answer } = connection.ask({ type: 'solve', key, settings }, options.onProgress);
     const cancel = () => connection.cancel(id);
     if (options.signal?.aborted) cancel();
     options.signal?.addEventListener('abort', cancel);
@@ -106,6 +111,13 @@ class WorkerEngine implements Engine {
     } finally {
       options.signal?.removeEventListener('abort', cancel);
     }
+  }
+
+  async field(mesh: Mesh, name: string): Promise<Float64Array<ArrayBuffer>> {
+    const connection = this.#connect();
+    const key = this.#keyOf(mesh);
+    await this.#load(connection, mesh);
+    return connection.ask({ type: 'field', key, name }).answer;
   }
 
   release(mesh: Mesh): void {

@@ -1,19 +1,19 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
 import type { ClientPort } from './port.ts';
-import type { CallName, Calls, Frame, FromWorker, Request, ToWorker } from './protocol.ts';
+import type { CallName, Calls, FromWorker, Progress, Request, ToWorker } from './protocol.ts';
 import { transferOf } from './protocol.ts';
 
 /** A request without its id, which the connection gives. */
 export type Ask<Name extends CallName> = { type: Name } & Calls[Name]['ask'];
 
-/** Sees a frame; may take its time, the next frame comes when it is done. */
-export type FrameListener = (frame: Frame) => void | Promise<void>;
+/** Sees progress; may take its time, the next comes when it is done. */
+export type ProgressListener = (progress: Progress) => void | Promise<void>;
 
 interface Pending {
   readonly resolve: (value: Calls[CallName]['answer']) => void;
   readonly reject: (reason: unknown) => void;
-  readonly onFrame: FrameListener | undefined;
+  readonly onProgress: ProgressListener | undefined;
 }
 
 /**
@@ -40,12 +40,12 @@ export class Connection {
   /** Sends a request. The id serves to cancel it. */
   ask<Name extends CallName>(
     request: Ask<Name>,
-    onFrame?: FrameListener,
+    onProgress?: ProgressListener,
   ): { id: number; answer: Promise<Calls[Name]['answer']> } {
     const id = ++this.#lastId;
     const answer = new Promise<Calls[CallName]['answer']>((resolve, reject) => {
       if (this.#lost) return reject(this.#lost);
-      this.#pending.set(id, { resolve, reject, onFrame });
+      this.#pending.set(id, { resolve, reject, onProgress });
       // What cannot be cloned throws here and rejects the promise; nobody would ever answer it.
       try {
         this.#send({ ...request, id } as unknown as Request);
@@ -87,8 +87,8 @@ export class Connection {
     }
     const pending = this.#pending.get(message.id);
     if (!pending) return;
-    if (message.type === 'frame') {
-      void this.#show(message.id, message.frame, pending.onFrame);
+    if (message.type === 'progress') {
+      void this.#show(message.id, message.progress, pending.onProgress);
       return;
     }
     this.#pending.delete(message.id);
@@ -96,12 +96,12 @@ export class Connection {
     else pending.reject(WhittleError.from(message.failure));
   }
 
-  async #show(id: number, frame: Frame, onFrame: FrameListener | undefined): Promise<void> {
+  async #show(id: number, progress: Progress, onProgress: ProgressListener | undefined): Promise<void> {
     try {
-      await onFrame?.(frame);
+      await onProgress?.(progress);
     } finally {
-      const { positions } = frame;
-      this.#send(positions ? { type: 'frame-drawn', id, positions } : { type: 'frame-drawn', id });
+      const positions = progress.kind === 'iterating' ? progress.positions : undefined;
+      this.#send(positions ? { type: 'progress-seen', id, positions } : { type: 'progress-seen', id });
     }
   }
 }

@@ -1,4 +1,4 @@
-import type { Core } from './core-api.ts';
+import type { Core, CoreMethod } from './core-api.ts';
 import { WasmHeap } from './wasm-heap.ts';
 import { loadModule } from './wasm-module.ts';
 import { WasmSession } from './wasm-session.ts';
@@ -11,10 +11,10 @@ import { WasmSession } from './wasm-session.ts';
 export async function loadCore(wasm?: Uint8Array | string): Promise<Core> {
   const module = await loadModule(wasm);
   const heap = new WasmHeap(module);
-  const methods: Core['methods'] = () => JSON.parse(heap.readString(module._whittle_methods()));
+  const methods: readonly CoreMethod[] = JSON.parse(heap.readString(module._whittle_methods()));
   return {
     open: () => new WasmSession(module, heap, methods),
-    methods,
+    methods: () => methods,
     heapBytes: () => heap.bytes,
   };
 }

@@ -1,7 +1,7 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh, MeshReport, Weld } from '../mesh/mesh.ts';
 import { gather, spread, weldOf } from '../mesh/weld.ts';
-import type { Core, CoreSession, Step } from './core-api.ts';
+import type { Core, CoreField, CoreSession, Preparation, Step } from './core-api.ts';
 import type { EncodedValues } from './encode.ts';
 import { inCore } from './trap.ts';
 
@@ -13,6 +13,8 @@ import { inCore } from './trap.ts';
 export class LoadedMesh {
   readonly weld: Weld;
   readonly report: MeshReport;
+  /** A run was overtaken while it prepared, and none has made a step since. */
+  isOverdue = false;
   readonly #core: Core;
   readonly #session: CoreSession;
   readonly #scratch: Float64Array<ArrayBuffer>;
@@ -26,19 +28,25 @@ export class LoadedMesh {
     this.#scratch = new Float64Array(positions.length);
     this.#session = this.#call(() => core.open());
     try {
-      this.report = this.#call(() => this.#session.load(positions, this.weld.triangles));
+      this.report = this.#call(() =>
+        this.#session.load(positions, this.weld.triangles, this.weld.positionOfVertex),
+      );
     } catch (thrown) {
       if (thrown instanceof WhittleError) this.free();
       throw thrown;
     }
   }
 
-  prepare(method: string, values: EncodedValues, fromRest: boolean): void {
+  /** Chooses a method and its values; what they make stale is for {@link prepareNext}. */
+  configure(method: string, values: EncodedValues, fromRest: boolean): void {
     this.#call(() => {
       this.#session.configure(method, values);
       if (fromRest) this.#session.restart();
-      this.#session.prepare();
     });
+  }
+
+  prepareNext(): Preparation {
+    return this.#call(() => this.#session.prepareNext());
   }
 
   step(): Step {
@@ -56,6 +64,24 @@ export class LoadedMesh {
     return spread(this.#scratch, this.weld, fits ? into : undefined);
   };
 
+  warnings(): string[] {
+    return this.#call(() => this.#session.warnings());
+  }
+
+  fields(): readonly CoreField[] {
+    return this.#call(() => this.#session.fields());
+  }
+
+  /** A field of the prepared method: #P in file order for one by vertex, #F for one by face. */
+  field(name: string): Float64Array<ArrayBuffer> {
+    const field = this.fields().find((known) => known.name === name);
+    if (!field) throw new WhittleError('bad-parameter', `There is no field “${name}” to show.`);
+    const values = new Float64Array(field.per === 'vertex' ? this.report.vertices : this.report.faces);
+    this.#call(() => this.#session.copyField(name, values));
+    if (field.per === 'face') return values;
+    return Float64Array.from(this.weld.vertexOfPosition, (vertex) => values[vertex]!);
+  }
+
   free(): void {
     this.#call(() => this.#session.free());
   }
@@ -64,22 +90,9 @@ export class LoadedMesh {
     try {
       return inCore(call, () => this.#core.heapBytes());
     } catch (thrown) {
-      throw thrown instanceof WhittleError ? asSentence(inFileNumbers(thrown, this.weld)) : thrown;
+      throw thrown instanceof WhittleError ? asSentence(thrown) : thrown;
     }
   }
-}
-
-/**
- * The core counts welded vertices. Where its sentence speaks of "vertex N", N being its element, both become the first
- * position of the file that is this vertex. Faces keep their numbers: welding leaves them in their order.
- */
-export function inFileNumbers(error: WhittleError, { positionOfVertex }: Weld): WhittleError {
-  const { code, message, element } = error;
-  if (element === undefined) return error;
-  const words = new RegExp(`\\b(vertex) ${element}\\b`, 'gi');
-  const source = positionOfVertex[element];
-  if (source === undefined || !words.test(message)) return error;
-  return new WhittleError(code, message.replace(words, `$1 ${source}`), source);
 }
 
 /** The core's messages have neither capital nor full stop. */

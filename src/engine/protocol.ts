@@ -2,9 +2,10 @@ import type { Format } from '../io/index.ts';
 import type { Failure } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
+import type { CoreField, CoreOutcome } from './core-api.ts';
 
 /** How a run ended. A cancelled (or superseded) run keeps what it has. */
-export type Outcome = 'converged' | 'iteration-limit' | 'stalled' | 'cancelled';
+export type Outcome = CoreOutcome | 'cancelled';
 
 /** Where a run begins: at the file's own shape, or at what the worker has now (the latest run on this mesh). */
 export type Start = 'rest' | 'current';
@@ -13,19 +14,32 @@ export interface SolveSettings {
   readonly method: string;
   readonly parameters: ParameterValues;
   readonly start: Start;
-  /** Whether `frame` messages carry positions; energies and progress come either way. */
-  readonly frames: boolean;
+  /** Whether progress carries positions; energies come either way. */
+  readonly positions: boolean;
 }
 
-/** One look at a running solve. Iterations that passed since the last frame are all in `energy` and `change`. */
-export interface Frame {
+/** One look at a running solve. */
+export type Progress = Preparing | Iterating;
+
+/** The run prepares. */
+export interface Preparing {
+  readonly kind: 'preparing';
+  /** What is being done, in a few words for people: "factoring the system". */
+  readonly stage: string;
+  /** From 0 to 1. */
+  readonly share: number;
+}
+
+/** The run iterates. Iterations that passed since the last look are all in `energy` and `change`. */
+export interface Iterating {
+  readonly kind: 'iterating';
   /** Iterations done so far in this run. */
   readonly iteration: number;
-  /** Energy before each iteration since the last frame (in the unit frame, hence free of units). */
+  /** Energy before each iteration since the last look (in the unit frame, hence free of units). */
   readonly energy: readonly number[];
-  /** Relative displacement of each iteration since the last frame (2019, §3.1). */
+  /** Relative displacement of each iteration since the last look (2019, §3.1). */
   readonly change: readonly number[];
-  /** #P×3 in the file's frame and order; absent when the run asked for no frames. */
+  /** #P×3 in the file's frame and order; absent when the run asked for none. */
   readonly positions?: Float64Array<ArrayBuffer>;
 }
 
@@ -37,8 +51,10 @@ export interface Solved {
   /** #P×3 in the file's frame and order. */
   readonly positions: Float64Array<ArrayBuffer>;
   readonly milliseconds: { readonly prepare: number; readonly solve: number };
-  /** Sentences about what was repaired or ignored. */
+  /** Sentences about what was repaired or ignored, and what the method has to say of its values. */
   readonly warnings: readonly string[];
+  /** What the method can show besides the positions, see `Engine.field`. */
+  readonly fields: readonly CoreField[];
 }
 
 export interface ReadResult {
@@ -69,6 +85,8 @@ export interface Calls {
   /** Drops a mesh and all that was prepared for it. */
   unload: { ask: { key: number }; answer: null };
   solve: { ask: { key: number; settings: SolveSettings }; answer: Solved };
+  /** A scalar field of the mesh's latest run, #P or #F. */
+  field: { ask: { key: number; name: string }; answer: Float64Array<ArrayBuffer> };
 }
 
 export type CallName = keyof Calls;
@@ -79,22 +97,24 @@ export type ToWorker =
   | Request
   /** Stop the request with this id at the next step; it still answers. */
   | { type: 'cancel'; id: number }
-  /** The page has drawn the last frame of this run and wants the next one; buffers travel back for reuse. */
-  | { type: 'frame-drawn'; id: number; positions?: Float64Array<ArrayBuffer> };
+  /** The page has seen the latest progress of this run and wants the next; buffers travel back for reuse. */
+  | { type: 'progress-seen'; id: number; positions?: Float64Array<ArrayBuffer> };
 
 export type FromWorker =
   | { type: 'answer'; id: number; value: Calls[CallName]['answer'] }
   | { type: 'failure'; id: number; failure: Failure }
-  | { type: 'frame'; id: number; frame: Frame }
+  | { type: 'progress'; id: number; progress: Progress }
   /** The core trapped and cannot be used any more. The last message of this worker, which closes itself. */
   | { type: 'lost'; failure: Failure };
 
 /** Buffers that a message hands over instead of copying. The one place that knows. */
 export function transferOf(message: ToWorker | FromWorker): ArrayBuffer[] {
   switch (message.type) {
-    case 'frame':
-      return message.frame.positions ? [message.frame.positions.buffer] : [];
-    case 'frame-drawn':
+    case 'progress': {
+      const { progress } = message;
+      return progress.kind === 'iterating' && progress.positions ? [progress.positions.buffer] : [];
+    }
+    case 'progress-seen':
       return message.positions ? [message.positions.buffer] : [];
     case 'answer':
       return buffersOf(message.value);
@@ -104,7 +124,7 @@ export function transferOf(message: ToWorker | FromWorker): ArrayBuffer[] {
 }
 
 function buffersOf(value: Calls[CallName]['answer']): ArrayBuffer[] {
-  if (value instanceof Uint8Array) return [value.buffer];
+  if (value instanceof Uint8Array || value instanceof Float64Array) return [value.buffer];
   if (value === null || 'components' in value) return [];
   if ('positions' in value) return [value.positions.buffer];
   const { positions, triangles, weld, colors, uvs } = value.mesh;

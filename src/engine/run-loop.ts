@@ -1,9 +1,8 @@
 import { oddities } from '../mesh/report-sentences.ts';
-import type { ParameterValues } from '../methods/values/index.ts';
 import type { EncodedValues } from './encode.ts';
-import type { FrameGate } from './frames.ts';
 import type { Hop } from './hop.ts';
 import type { LoadedMesh } from './loaded-mesh.ts';
+import type { ProgressGate } from './progress-gate.ts';
 import type { Outcome, Solved, SolveSettings } from './protocol.ts';
 
 /** Messages get in at least this often, single steps permitting. Shorter would slow small meshes. */
@@ -12,16 +11,16 @@ const hopMilliseconds = 8;
 /** One solve while it waits or runs. */
 export class Run {
   readonly settings: SolveSettings;
-  readonly frames: FrameGate;
+  readonly progress: ProgressGate;
   /** Settles (never rejects) when nothing of this run will touch the mesh any more. */
   readonly ended: Promise<void>;
   readonly end: () => void;
   #isCancelled = false;
   #isSuperseded = false;
 
-  constructor(settings: SolveSettings, frames: FrameGate) {
+  constructor(settings: SolveSettings, progress: ProgressGate) {
     this.settings = settings;
-    this.frames = frames;
+    this.progress = progress;
     let end = () => {};
     this.ended = new Promise((resolve) => {
       end = resolve;
@@ -50,44 +49,61 @@ export class Run {
 
 /**
  * Steps until the core says that it is done or somebody stops the run, and answers with what there is. The core steps, this
- * loops: between steps, messages get in and frames get out.
+ * loops: between steps, and between stages of preparing, messages get in and progress gets out.
  *
  * @param values the run's parameters as the core takes them
  */
 export async function runToEnd(mesh: LoadedMesh, values: EncodedValues, run: Run, hop: Hop): Promise<Solved> {
-  const { method, parameters, start } = run.settings;
+  const { start } = run.settings;
   const began = performance.now();
-  // A cancel or a newer request may already wait; preparing can take long.
+  // A cancel or a newer request may already wait.
   await hop();
   const isSkipped = run.isCancelled || run.isSuperseded;
   // The newer run may start from 'current' and means what this one would have made of it.
   if (run.isSuperseded && start === 'rest') mesh.restart();
-  if (!isSkipped) mesh.prepare(method, values, start === 'rest');
+  const isPrepared = !isSkipped && (await prepare(mesh, values, run, hop));
   const prepared = performance.now();
 
   const energy: number[] = [];
-  const outcome = isSkipped ? 'cancelled' : await iterate(mesh, parameters, run, hop, energy);
+  const outcome = isPrepared ? await iterate(mesh, run, hop, energy) : 'cancelled';
   const positions = mesh.copyPositions();
-  const milliseconds = { prepare: prepared - began, solve: performance.now() - prepared };
   return {
     outcome,
     iterations: energy.length,
     energy,
     positions,
-    milliseconds,
-    warnings: oddities(mesh.report),
+    milliseconds: { prepare: prepared - began, solve: performance.now() - prepared },
+    warnings: [...oddities(mesh.report), ...(isPrepared ? mesh.warnings() : [])],
+    fields: isPrepared ? mesh.fields() : [],
   };
 }
 
-async function iterate(
-  mesh: LoadedMesh,
-  { maxIterations }: ParameterValues,
-  run: Run,
-  hop: Hop,
-  energy: number[],
-): Promise<Outcome> {
+/**
+ * Prepares stage by stage. What was done stays: the run that overtakes this one goes on from there.
+ *
+ * @returns false if the run was cancelled or overtaken meanwhile
+ */
+async function prepare(mesh: LoadedMesh, values: EncodedValues, run: Run, hop: Hop): Promise<boolean> {
+  mesh.configure(run.settings.method, values, run.settings.start === 'rest');
+  for (let lastHop = performance.now(); ; ) {
+    const { stage, share } = mesh.prepareNext();
+    if (share >= 1) return true;
+    if (performance.now() - lastHop < hopMilliseconds) continue;
+    run.progress.prepare({ stage, share }, performance.now());
+    await hop();
+    lastHop = performance.now();
+    if (run.isCancelled) return false;
+    // Of two that come one after the other one must get to its first step: else a fast drag on a large mesh would show nothing.
+    if (run.isSuperseded && !mesh.isOverdue) {
+      mesh.isOverdue = true;
+      return false;
+    }
+  }
+}
+
+async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): Promise<Outcome> {
   // The core would answer with a step that is no iteration.
-  if (maxIterations === 0) return 'iteration-limit';
+  if (run.settings.parameters.maxIterations === 0) return 'iteration-limit';
   let lastHop = Number.NEGATIVE_INFINITY;
   for (;;) {
     const now = performance.now();
@@ -98,8 +114,9 @@ async function iterate(
     // What is prepared makes one step even if it is overtaken: else a fast drag on a large mesh would show nothing.
     if (run.isCancelled || (run.isSuperseded && energy.length > 0)) return 'cancelled';
     const step = mesh.step();
+    mesh.isOverdue = false;
     energy.push(step.energy);
     if (step.outcome !== 'running') return step.outcome;
-    run.frames.add(energy.length, step, performance.now());
+    run.progress.add(energy.length, step, performance.now());
   }
 }

@@ -6,15 +6,15 @@ import { findMethod, methods } from '../methods/registry.ts';
 import { didYouMean } from '../methods/suggest.ts';
 import type { Core } from './core-api.ts';
 import { encodeValues } from './encode.ts';
-import { FrameGate } from './frames.ts';
 import { createHop } from './hop.ts';
 import { LoadedMesh } from './loaded-mesh.ts';
 import type { ServerPort } from './port.ts';
+import { ProgressGate } from './progress-gate.ts';
 import type {
   CallName,
   Calls,
-  Frame,
   FromWorker,
+  Progress,
   Request,
   Solved,
   SolveSettings,
@@ -54,7 +54,7 @@ class Server {
   receive(message: ToWorker): void {
     if (this.#isLost) return;
     if (message.type === 'cancel') this.#runs.get(message.id)?.cancel();
-    else if (message.type === 'frame-drawn') this.#runs.get(message.id)?.frames.drawn(message.positions);
+    else if (message.type === 'progress-seen') this.#runs.get(message.id)?.progress.seen(message.positions);
     else void this.#answer(message);
   }
 
@@ -82,6 +82,8 @@ class Server {
         return this.#unload(request.key);
       case 'solve':
         return this.#solve(request.id, request.key, request.settings);
+      case 'field':
+        return this.#entry(request.key).mesh.field(request.name);
     }
   }
 
@@ -108,8 +110,7 @@ class Server {
   }
 
   async #solve(id: number, key: number, settings: SolveSettings): Promise<Solved> {
-    const entry = this.#entries.get(key);
-    if (!entry) throw new WhittleError('internal', 'The mesh to solve was released. Please report it.');
+    const entry = this.#entry(key);
     // A request that is refused here does not disturb the run before it.
     const method = checkedMethod(settings);
     const values = encodeValues(method, settings.parameters, entry.mesh.weld);
@@ -133,9 +134,15 @@ class Server {
     }
   }
 
-  #gate(id: number, { copyPositions }: LoadedMesh, { frames }: SolveSettings): FrameGate {
-    const post = (frame: Frame) => this.#post({ type: 'frame', id, frame });
-    return new FrameGate({ withPositions: frames, copyPositions, post }, performance.now());
+  #entry(key: number): Entry {
+    const entry = this.#entries.get(key);
+    if (entry) return entry;
+    throw new WhittleError('internal', 'The mesh was released. Please report it.');
+  }
+
+  #gate(id: number, { copyPositions }: LoadedMesh, { positions }: SolveSettings): ProgressGate {
+    const post = (progress: Progress) => this.#post({ type: 'progress', id, progress });
+    return new ProgressGate({ withPositions: positions, copyPositions, post }, performance.now());
   }
 
   /** Other meshes live in the same broken heap: all runs stop without an answer, and the client starts a new worker. */

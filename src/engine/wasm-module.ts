@@ -1,3 +1,5 @@
+import { WhittleError } from '../mesh/failure.ts';
+
 /**
  * The module as Emscripten makes it. The C interface is documented in `wasm/bindings/whittle.h`; sessions, arrays and names
  * are addresses here.
@@ -7,6 +9,7 @@ export interface WasmModule {
   readonly HEAPU8: Uint8Array<ArrayBuffer>;
   _malloc(bytes: number): number;
   _free(address: number): void;
+  _whittle_abi_version(): number;
   _whittle_create(): number;
   _whittle_destroy(session: number): void;
   _whittle_load(
@@ -15,28 +18,29 @@ export interface WasmModule {
     vertices: number,
     triangles: number,
     faces: number,
+    sourceVertices: number,
   ): number;
   _whittle_report(session: number, numbers: number): void;
   _whittle_select(session: number, method: number): number;
-  _whittle_set_number(session: number, parameter: number, value: number): number;
-  _whittle_set_scalars(session: number, parameter: number, values: number, count: number): number;
-  _whittle_set_style(
+  _whittle_set_value(
     session: number,
     parameter: number,
-    kind: number,
-    normals: number,
-    normalCount: number,
-    points: number,
-    pointCount: number,
-    triangles: number,
-    triangleCount: number,
+    name: number,
+    numbers: number,
+    numberCount: number,
+    indices: number,
+    indexCount: number,
   ): number;
-  _whittle_set_relief(session: number, parameter: number, uvs: number, slopes: number, faces: number): number;
-  _whittle_set_handles(session: number, vertices: number, targets: number, count: number): number;
   _whittle_restart(session: number): void;
-  _whittle_prepare(session: number): number;
-  _whittle_step(session: number, outcome: number): number;
+  _whittle_prepare(session: number, share: number): number;
+  _whittle_stage(session: number): number;
+  _whittle_step(session: number, energyAndChange: number): number;
+  _whittle_outcome(session: number): number;
   _whittle_positions(session: number, positions: number): void;
+  _whittle_warning_count(session: number): number;
+  _whittle_warning(session: number, index: number): number;
+  _whittle_fields(session: number): number;
+  _whittle_field(session: number, name: number, values: number): number;
   _whittle_code_name(code: number): number;
   _whittle_message(session: number): number;
   _whittle_element(session: number): number;
@@ -48,15 +52,26 @@ interface WasmOptions {
   readonly locateFile?: (name: string) => string;
 }
 
+/** The version of the C interface that these declarations are of; `wasm/bindings/whittle.h` has it too. */
+const abiVersion = 2;
+
 type WasmFactory = (options: WasmOptions) => Promise<WasmModule>;
 
 /**
  * Starts a module with memory of its own.
  *
  * @param wasm the module's bytes or their address; default: the file beside the loader
+ * @throws WhittleError `internal` where the file's C interface is another
  */
 export async function loadModule(wasm?: Uint8Array | string): Promise<WasmModule> {
   const { default: create }: { default: WasmFactory } = await import('../../wasm/dist/whittle-core.mjs');
-  if (typeof wasm === 'string') return create({ locateFile: () => wasm });
-  return create(wasm ? { wasmBinary: wasm } : {});
+  const module = await create(
+    typeof wasm === 'string' ? { locateFile: () => wasm } : wasm ? { wasmBinary: wasm } : {},
+  );
+  const version = module._whittle_abi_version?.();
+  if (version === abiVersion) return module;
+  throw new WhittleError(
+    'internal',
+    `The wasm file is of another version than the program (${version}, not ${abiVersion}). Reload the page, or build both again.`,
+  );
 }

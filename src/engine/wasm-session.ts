@@ -1,57 +1,59 @@
 import { type FailureCode, WhittleError } from '../mesh/failure.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
-import type { Core, CoreSession, Step } from './core-api.ts';
+import type { Encoded } from '../methods/values/parameter.ts';
+import type { CoreField, CoreMethod, CoreSession, Preparation, Step } from './core-api.ts';
 import type { EncodedValues } from './encode.ts';
 import type { WasmHeap } from './wasm-heap.ts';
 import type { WasmModule } from './wasm-module.ts';
-import { WasmParameters } from './wasm-parameters.ts';
 
-const outcomes = ['running', 'converged', 'iteration-limit', 'stalled'] as const;
+const unset: Encoded = { name: '', numbers: new Float64Array(), indices: new Uint32Array() };
 
 /** A session of the core, by calls of the C interface. */
 export class WasmSession implements CoreSession {
   readonly #module: WasmModule;
   readonly #heap: WasmHeap;
-  readonly #methods: Core['methods'];
+  readonly #methods: readonly CoreMethod[];
   readonly #handle: number;
-  readonly #parameters: WasmParameters;
-  readonly #stepNumbers = new Float64Array(3);
+  readonly #share = new Float64Array(1);
+  readonly #stepNumbers = new Float64Array(2);
 
   /** @param methods the core's own list, whose parameters a method is configured by */
-  constructor(module: WasmModule, heap: WasmHeap, methods: Core['methods']) {
+  constructor(module: WasmModule, heap: WasmHeap, methods: readonly CoreMethod[]) {
     this.#module = module;
     this.#heap = heap;
     this.#methods = methods;
     this.#handle = module._whittle_create();
-    this.#parameters = new WasmParameters(module, heap, this.#handle);
   }
 
-  load(positions: Float64Array, triangles: Uint32Array): MeshReport {
-    const load = (positionsAt: number, trianglesAt: number) =>
+  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): MeshReport {
+    const load = (positionsAt: number, trianglesAt: number, sourceAt: number) =>
       this.#module._whittle_load(
-        this.#handle,
-        positionsAt,
-        positions.length / 3,
-        trianglesAt,
-        triangles.length / 3,
+        ...([this.#handle, positionsAt, positions.length / 3] as const),
+        ...([trianglesAt, triangles.length / 3, sourceVertices ? sourceAt : 0] as const),
       );
-    this.#check(this.#heap.withCopies([positions, triangles], load));
+    const arrays = [positions, triangles, sourceVertices ?? new Uint32Array()];
+    this.#check(this.#heap.withCopies(arrays, load));
     return this.#report();
   }
 
   configure(method: string, values: EncodedValues): void {
     this.#check(this.#heap.withString(method, (name) => this.#module._whittle_select(this.#handle, name)));
-    const info = this.#methods().find((candidate) => candidate.id === method)!;
-    for (const parameter of info.parameters)
-      this.#check(this.#parameters.set(parameter, values.get(parameter.name)));
+    const { parameters } = this.#methods.find(({ id }) => id === method)!;
+    for (const { name } of parameters) this.#check(this.#set(name, values.get(name) ?? unset));
   }
 
   restart(): void {
     this.#module._whittle_restart(this.#handle);
   }
 
-  prepare(): void {
-    this.#check(this.#module._whittle_prepare(this.#handle));
+  prepareNext(): Preparation {
+    const stage = this.#heap.readString(this.#module._whittle_stage(this.#handle));
+    let code = 0;
+    this.#heap.readNumbers(this.#share, (address) => {
+      code = this.#module._whittle_prepare(this.#handle, address);
+    });
+    this.#check(code);
+    return { stage, share: this.#share[0]! };
   }
 
   step(): Step {
@@ -60,16 +62,50 @@ export class WasmSession implements CoreSession {
       code = this.#module._whittle_step(this.#handle, address);
     });
     this.#check(code);
-    const [outcome, energy, change] = this.#stepNumbers as unknown as [number, number, number];
-    return { outcome: outcomes[outcome]!, energy, change };
+    const outcome = this.#heap.readString(this.#module._whittle_outcome(this.#handle)) as Step['outcome'];
+    return { outcome, energy: this.#stepNumbers[0]!, change: this.#stepNumbers[1]! };
   }
 
   copyPositions(into: Float64Array): void {
     this.#heap.readNumbers(into, (address) => this.#module._whittle_positions(this.#handle, address));
   }
 
+  warnings(): string[] {
+    const count = this.#module._whittle_warning_count(this.#handle);
+    return Array.from({ length: count }, (_, index) =>
+      this.#heap.readString(this.#module._whittle_warning(this.#handle, index)),
+    );
+  }
+
+  fields(): readonly CoreField[] {
+    return JSON.parse(this.#heap.readString(this.#module._whittle_fields(this.#handle)));
+  }
+
+  copyField(name: string, into: Float64Array): void {
+    let code = 0;
+    this.#heap.withString(name, (nameAt) =>
+      this.#heap.readNumbers(into, (address) => {
+        code = this.#module._whittle_field(this.#handle, nameAt, address);
+      }),
+    );
+    this.#check(code);
+  }
+
   free(): void {
     this.#module._whittle_destroy(this.#handle);
+  }
+
+  #set(parameter: string, { name, numbers, indices }: Encoded): number {
+    const set = (numbersAt: number, indicesAt: number) =>
+      this.#heap.withString(parameter, (parameterAt) =>
+        this.#heap.withString(name, (nameAt) =>
+          this.#module._whittle_set_value(
+            ...([this.#handle, parameterAt, nameAt] as const),
+            ...([numbersAt, numbers.length, indicesAt, indices.length] as const),
+          ),
+        ),
+      );
+    return this.#heap.withCopies([numbers, indices], set);
   }
 
   #report(): MeshReport {

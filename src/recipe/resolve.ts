@@ -138,11 +138,11 @@ export class Resolver {
   }
 
   async #flow(mesh: Mesh, onFlow?: FlowListener): Promise<Float64Array> {
-    const settings = { method: 'spherical', parameters: {}, start: 'rest', frames: !!onFlow } as const;
+    const settings = { method: 'spherical', parameters: {}, start: 'rest', positions: !!onFlow } as const;
     try {
       const { positions } = await this.#engine.solve(mesh, settings, {
-        onFrame: ({ positions }) => {
-          if (positions) onFlow?.(mesh, positions);
+        onProgress: (progress) => {
+          if (progress.kind === 'iterating' && progress.positions) onFlow?.(mesh, progress.positions);
         },
       });
       onFlow?.(mesh, positions);

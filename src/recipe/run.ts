@@ -1,4 +1,4 @@
-import type { Engine, FrameListener } from '../engine/client.ts';
+import type { Engine, ProgressListener } from '../engine/client.ts';
 import type { Outcome, Start } from '../engine/protocol.ts';
 import { at } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
@@ -28,9 +28,9 @@ export interface StepOptions {
   readonly signal?: AbortSignal | undefined;
   /** Where the run begins; default at the mesh's own shape. */
   readonly start?: Start;
-  /** Whether frames carry positions. Default false. */
-  readonly frames?: boolean;
-  readonly onFrame?: FrameListener | undefined;
+  /** Whether progress carries positions. Default false. */
+  readonly positions?: boolean;
+  readonly onProgress?: ProgressListener | undefined;
   /** What sentences about the mesh begin with; default nothing. */
   readonly place?: string;
 }
@@ -45,15 +45,15 @@ export async function runStep(
   resolver: Resolver,
   surface: TexturedMesh,
   step: RecipeStep,
-  { signal, start = 'rest', frames = false, onFrame, place = '' }: StepOptions = {},
+  { signal, start = 'rest', positions = false, onProgress, place = '' }: StepOptions = {},
 ): Promise<StepRun> {
   const reading = stopwatch();
   const { method, parameters, warnings } = await resolver.resolve(step, surface, place);
   const read = reading();
-  const settings = { method, parameters, start, frames };
+  const settings = { method, parameters, start, positions };
   const { milliseconds, ...solved } = await at(
     place,
-    engine.solve(surface.mesh, settings, { signal, onFrame }),
+    engine.solve(surface.mesh, settings, { signal, onProgress }),
   );
   return {
     ...solved,
@@ -77,10 +77,10 @@ export interface RecipeRun {
 export interface RunOptions {
   /** When it aborts before the first step is solved, the run rejects with the reason; later it keeps what it has. */
   readonly signal?: AbortSignal | undefined;
-  /** Whether frames carry positions. Default false. */
-  readonly frames?: boolean;
-  /** Called when a step begins; answers what is to see its frames. */
-  readonly onStep?: (step: RecipeStep, index: number) => FrameListener | undefined;
+  /** Whether progress carries positions. Default false. */
+  readonly positions?: boolean;
+  /** Called when a step begins; answers what is to see its progress. */
+  readonly onStep?: (step: RecipeStep, index: number) => ProgressListener | undefined;
   /** Where the names in the recipe lead: files, assets. Default: names of ours only. */
   readonly surroundings?: Surroundings;
   /** What the mesh is called in sentences about it; default: nothing is put before them. */
@@ -97,7 +97,7 @@ export async function runRecipe(
   engine: Engine,
   surface: TexturedMesh,
   { steps }: Recipe,
-  { signal, frames = false, onStep, surroundings, name = '' }: RunOptions = {},
+  { signal, positions = false, onStep, surroundings, name = '' }: RunOptions = {},
 ): Promise<RecipeRun> {
   const resolver = new Resolver(engine, surroundings);
   const input = await at(name, engine.inspect(surface.mesh, { signal }));
@@ -105,14 +105,14 @@ export async function runRecipe(
   let { mesh } = surface;
   for (const [index, step] of steps.entries()) {
     const place = steps.length === 1 ? name : `${name && `${name}, `}step ${index + 1} (${step.method})`;
-    const onFrame = onStep?.(step, index);
+    const onProgress = onStep?.(step, index);
     const loading = stopwatch();
     await at(place, engine.inspect(mesh));
     const loaded = loading();
     const run = await runStep(engine, resolver, { ...surface, mesh }, step, {
       signal,
-      frames,
-      onFrame,
+      positions,
+      onProgress,
       place,
     });
     engine.release(mesh);

@@ -83,4 +83,33 @@ describe('arrows of the house', () => {
       }
     }
   });
+
+  test('who uses core/linear includes its doors and nothing of its inside', () => {
+    const doors = [
+      'sparse_cholesky',
+      'conjugate_gradients',
+      'constrained_quadratic',
+      'ordering',
+      'elimination_tree', // for the order of the vertices
+      'graph',
+      'columns',
+      'slices',
+    ].map((name) => `linear/${name}.h`);
+    const users = ['wasm/core', 'wasm/bindings', 'wasm/bench'].flatMap((folder) =>
+      filesBelow(folder, /\.(h|cpp)$/),
+    );
+    const inside = 'wasm/core/linear/';
+    for (const file of users.filter((name) => !name.startsWith(inside))) {
+      for (const [, target] of readFileSync(file, 'utf8').matchAll(/#include "(linear\/[^"]+)"/g)) {
+        expect(doors, `${file} includes ${target}`).toContain(target);
+      }
+    }
+    for (const door of doors) {
+      for (const [, target] of readFileSync(`wasm/core/${door}`, 'utf8').matchAll(
+        /#include "(linear\/[^"]+)"/g,
+      )) {
+        expect(doors, `${door} shows ${target}`).toContain(target);
+      }
+    }
+  });
 });

@@ -61,7 +61,7 @@ function functionsOf(text: string): { name: string; lines: number }[] {
   const found: { name: string; lines: number }[] = [];
   for (const [at, line] of lines.entries()) {
     const opening =
-      /^(\s*)(?!if|for|while|switch|else|do\b|namespace|class|struct|enum|export (?:const|class|interface))[^\s/*].*\)[^;]*\{$/.exec(
+      /^(\s*)(?!\w+_[({]|if|for|while|switch|else|do\b|namespace|class|struct|enum|export (?:const|class|interface))[^\s/*].*\)[^;]*\{$/.exec(
         line,
       );
     if (!opening) continue;

@@ -3,7 +3,7 @@ import { createServer } from 'vite';
 import type { Core, CoreSession } from '../../src/engine/core-api.ts';
 import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
-import { configure, testCore } from '../fixtures/core.ts';
+import { configure, prepare, testCore } from '../fixtures/core.ts';
 import type { TestMesh } from '../fixtures/meshes.ts';
 import { markdownTable, percent, withSpread } from './numbers.ts';
 import { type ComparedMethod, isCompared, type Options, type Size } from './options.ts';
@@ -123,8 +123,24 @@ function turnedEnd({ positions }: TestMesh): { vertices: number[]; targets: [num
 function open(core: Core, mesh: TestMesh, method: ComparedMethod, parameters: ParameterValues): CoreSession {
   const session = core.open();
   session.load(mesh.positions, mesh.triangles);
-  configure(session, mesh, method, parameters);
+  if (isEarlier(session)) session.configure(method, parameters);
+  else configure(session, mesh, method, parameters);
   return session;
+}
+
+/** A session as it was before the core took values of all kinds by one call and prepared in stages. */
+interface EarlierSession {
+  configure(method: string, parameters: ParameterValues): void;
+  prepare(): void;
+}
+
+function isEarlier(session: CoreSession | EarlierSession): session is EarlierSession {
+  return 'prepare' in session;
+}
+
+function prepareAll(session: CoreSession | EarlierSession): void {
+  if (isEarlier(session)) session.prepare();
+  else prepare(session);
 }
 
 function timed(work: () => void): number {
@@ -157,7 +173,7 @@ class LoopedRun {
 
   #begin(): void {
     this.#session.restart();
-    this.#session.prepare();
+    prepareAll(this.#session);
     for (let k = 0; k < warmUp; k++) this.#session.step();
   }
 }
@@ -174,7 +190,7 @@ function timeByTurns(
   for (let round = 0; round < rounds; round++) {
     for (const { side, run } of round % 2 ? runs.toReversed() : runs) {
       const fresh = open(side.core, mesh, method, parameters);
-      side.prepares.push(timed(() => fresh.prepare()));
+      side.prepares.push(timed(() => prepareAll(fresh)));
       fresh.free();
       side.iterations.push(run.timeSteps(stepsARound));
     }
@@ -185,7 +201,7 @@ function timeByTurns(
 function runToStop(core: Core, mesh: TestMesh, method: ComparedMethod, parameters: ParameterValues) {
   const start = performance.now();
   const session = open(core, mesh, method, parameters);
-  session.prepare();
+  prepareAll(session);
   let iterations = 0;
   let step = session.step();
   for (iterations = 1; step.outcome === 'running'; iterations++) step = session.step();

@@ -54,7 +54,7 @@ export function parseOptions(args: readonly string[]): Options {
     else if (word === '--against' && args[i + 1]) against = args[++i];
     else throw new Error(`“${word}” is not known here.\n${usage}`);
   }
-  if (write && against) throw new Error(`--write keeps tables of the yardstick, not of --against.\n${usage}`);
+  if (write && against) throw new Error(`--write keeps tables of the reference, not of --against.\n${usage}`);
   const fallback = quick || against ? quickSizes : sizes;
   const all = against ? comparedMethods : methods;
   if (against && !chosenMethods.every(isCompared))

@@ -14,7 +14,7 @@ export interface Milestone {
   readonly time: number;
 }
 
-/** A run of the core or of the yardstick, energies as shares above the lowest seen. */
+/** A run of the core or of the reference, energies as shares above the lowest seen. */
 export interface Descent extends Milestone {
   readonly rested: number;
   readonly aboveLowest: number;
@@ -23,7 +23,7 @@ export interface Descent extends Milestone {
   readonly stop: Milestone & { readonly aboveLowest: number };
 }
 
-/** A phase of the core and of the yardstick, ms, and how many times as fast the core is. */
+/** A phase of the core and of the reference, ms, and how many times as fast the core is. */
 export interface Comparison {
   readonly ours: number;
   readonly plain: number;
@@ -67,7 +67,7 @@ export interface Measurement {
   };
 }
 
-/** The largest mesh gets more time, and still only some iterations of the yardstick. */
+/** The largest mesh gets more time, and still only some iterations of the reference. */
 const seconds = (size: Size): number => (size > 100_000 ? 7 : 6);
 
 export function meshOf(size: Size): TestMesh {

@@ -65,7 +65,7 @@ function reached(run: Descent, iterations: number): string {
   return run.rested ? 'never' : `> ${run.iterations}`;
 }
 
-/** When the yardstick was within 0.1 %, or when its time was up before; true if it got there. */
+/** When the reference was within 0.1 %, or when its time was up before; true if it got there. */
 function plainToPermille({ toPermille, time }: Descent): [number, boolean] {
   return toPermille.time >= 0 ? [toPermille.time, true] : [time, false];
 }

@@ -89,19 +89,19 @@ test('in a thread: a run shows frames, is cancelled, and a crash is survived', a
     },
   });
   const mesh = bunnyLevel(1);
-  const settings = { method: 'polycube', parameters: endless, start: 'rest', frames: true } as const;
+  const settings = { method: 'polycube', parameters: endless, start: 'rest', positions: true } as const;
 
   const stop = new AbortController();
   let frames = 0;
-  const onFrame = () => {
+  const onProgress = () => {
     if (++frames === 5) stop.abort();
   };
-  const solved = await engine.solve(mesh, settings, { signal: stop.signal, onFrame });
+  const solved = await engine.solve(mesh, settings, { signal: stop.signal, onProgress });
   expect(solved).toMatchObject({ outcome: 'cancelled' });
   expect(solved.iterations).toBeGreaterThanOrEqual(5);
   expect(solved.positions).not.toEqual(mesh.positions);
 
-  const crashing = engine.solve(mesh, settings, { onFrame: () => workers[0]!.crash() });
+  const crashing = engine.solve(mesh, settings, { onProgress: () => workers[0]!.crash() });
   const lost = { code: 'worker-lost', message: expect.stringMatching(/crashed on purpose/) };
   await expect(crashing).rejects.toMatchObject(lost);
 

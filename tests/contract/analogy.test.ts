@@ -4,7 +4,7 @@ import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
 import { resolveStyle, styleNames } from '../../src/inputs/styles/resolve.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import { encodedNumbers } from '../../src/methods/values/parameter.ts';
-import { testCore } from '../fixtures/core.ts';
+import { prepare, testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere } from '../fixtures/meshes.ts';
 import { run } from '../fixtures/runs.ts';
 import { angleTo } from '../fixtures/surfaces.ts';
@@ -88,7 +88,7 @@ describe('λ by vertex', () => {
       /2 numbers for 42 vertices/,
     );
     expect(() => session.configure('analogy', new Map()) as unknown).not.toThrow();
-    expect(() => session.prepare()).toThrow(/needs a style/);
+    expect(() => prepare(session)).toThrow(/needs a style/);
     session.free();
   });
 });

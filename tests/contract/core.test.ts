@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { CoreSession } from '../../src/engine/core-api.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
-import { configure, testCore } from '../fixtures/core.ts';
+import { configure, prepare, testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere, type TestMesh, together } from '../fixtures/meshes.ts';
 
 interface Run {
@@ -19,7 +19,7 @@ async function open(mesh: TestMesh): Promise<CoreSession> {
 async function stylize(mesh: TestMesh, parameters: Record<string, number>): Promise<Run> {
   const session = await open(mesh);
   configure(session, mesh, 'cubic', parameters);
-  session.prepare();
+  prepare(session);
   const energy: number[] = [];
   let outcome = 'running';
   while (outcome === 'running') {
@@ -142,10 +142,10 @@ describe('the core’s border', () => {
     const { positions, triangles } = icosphere(2);
     session.load(positions, triangles.slice(3));
     session.configure('spherical', new Map());
-    expect(() => session.prepare()).toThrowError(
+    expect(() => prepare(session)).toThrowError(
       /open along 3 edges, the first at vertex \d+; close its holes/,
     );
-    expect(() => session.prepare()).toThrowError(expect.objectContaining({ code: 'unsuitable-mesh' }));
+    expect(() => prepare(session)).toThrowError(expect.objectContaining({ code: 'unsuitable-mesh' }));
     session.free();
   });
 
@@ -157,7 +157,7 @@ describe('the core’s border', () => {
     const session = core.open();
     session.load(mesh.positions, mesh.triangles);
     session.configure('cubic', new Map());
-    session.prepare();
+    prepare(session);
     session.step();
     expect(core.heapBytes() / (mesh.positions.length / 3)).toBeLessThan(1.5 * 1024);
   });

@@ -16,7 +16,7 @@ afterAll(() => engine.dispose());
 
 const mesh = { ...bunny(), hasUvs: false };
 const carve = async (parameters: ParameterValues) =>
-  (await engine.solve(mesh, { method: 'cubic', parameters, start: 'rest', frames: false })).positions;
+  (await engine.solve(mesh, { method: 'cubic', parameters, start: 'rest', positions: false })).positions;
 
 /** About y. */
 const eighth: Quaternion = [0, Math.sin(Math.PI / 8), 0, Math.cos(Math.PI / 8)];
@@ -72,7 +72,7 @@ test('places that a file stores twice belong to the region that either is in, an
   const last = positions.length / 3;
   const solve = (frames: readonly { vertices: number[]; orientation: Quaternion }[]) =>
     engine.solve(twice, {
-      ...({ method: 'cubic', start: 'rest', frames: false } as const),
+      ...({ method: 'cubic', start: 'rest', positions: false } as const),
       parameters: { lambda: 0.5, frames },
     });
   const first = await solve([{ vertices: [0], orientation: eighth }]);

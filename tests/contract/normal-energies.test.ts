@@ -52,7 +52,7 @@ describe('polycube', () => {
     const engine = createEngine({ spawn });
     const mesh = { ...bunny(), hasUvs: false };
     const parameters = { directions: await directions('cube'), maxIterations: 12 };
-    const settings = { method: 'polycube', parameters, start: 'rest', frames: false } as const;
+    const settings = { method: 'polycube', parameters, start: 'rest', positions: false } as const;
     const first = await engine.solve(mesh, settings);
     expect([first.outcome, first.iterations]).toEqual(['iteration-limit', 12]);
     const again = await engine.solve(mesh, { ...settings, start: 'current' });

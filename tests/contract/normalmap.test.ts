@@ -4,7 +4,7 @@ import { textureSlopesOf } from '../../src/inputs/images/texture-slopes.ts';
 import { readMesh } from '../../src/io/index.ts';
 import { cross, dot, length, row, scale, subtract, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
-import { configure, testCore } from '../fixtures/core.ts';
+import { configure, prepare, testCore } from '../fixtures/core.ts';
 import { normalMap, paint, plate, type TexturedMesh, texturedObj } from '../fixtures/textured.ts';
 
 const regularizers = ['arap', 'farap', 'acap'] as const;
@@ -14,7 +14,7 @@ async function raised(mesh: TexturedMesh, parameters: ParameterValues): Promise<
   const session = (await testCore()).open();
   session.load(mesh.positions, mesh.triangles);
   configure(session, mesh, 'normalmap', parameters);
-  session.prepare();
+  prepare(session);
   while (session.step().outcome === 'running');
   const positions = new Float64Array(mesh.positions.length);
   session.copyPositions(positions);
@@ -196,6 +196,6 @@ test('a relief of another mesh is refused, and a mere name too', async () => {
     /each corner of the mesh’s 18 faces/,
   );
   session.configure('normalmap', new Map());
-  expect(() => session.prepare()).toThrow(/normalmap needs a picture/);
+  expect(() => prepare(session)).toThrow(/normalmap needs a picture/);
   session.free();
 });

@@ -1,7 +1,7 @@
 import { afterEach, expect, test } from 'vitest';
 import { createEngine, type Engine } from '../../src/engine/client.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
-import type { Solved, SolveSettings } from '../../src/engine/protocol.ts';
+import type { Progress, Solved, SolveSettings } from '../../src/engine/protocol.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
 import { until } from '../fixtures/until.ts';
 import { FakeCore, type FakeOptions, failLambda, fakeServices, tetrahedron } from './fake-core.ts';
@@ -15,7 +15,7 @@ function start(options?: FakeOptions): void {
 afterEach(() => engine.dispose());
 
 function settings(parameters: ParameterValues = {}, more: Partial<SolveSettings> = {}): SolveSettings {
-  return { method: 'cubic', parameters, start: 'rest', frames: false, ...more };
+  return { method: 'cubic', parameters, start: 'rest', positions: false, ...more };
 }
 /** Runs until somebody stops it. */
 const endless = { tolerance: 0, maxIterations: 1_000_000 };
@@ -114,10 +114,12 @@ test('the latest request wins, and every earlier one keeps what it has', async (
   start();
   const mesh = tetrahedron();
   await engine.inspect(mesh);
-  const frames: number[] = [];
-  const onFrame = (frame: { iteration: number }) => void frames.push(frame.iteration);
-  const first = engine.solve(mesh, settings(endless, { frames: true }), { onFrame });
-  await until(() => frames.length > 0);
+  let seen = 0;
+  const onProgress = ({ kind }: Progress) => {
+    if (kind === 'iterating') seen++;
+  };
+  const first = engine.solve(mesh, settings(endless, { positions: true }), { onProgress });
+  await until(() => seen > 0);
   const second = engine.solve(mesh, settings(endless));
   const third = engine.solve(mesh, settings({ maxIterations: 1, tolerance: 0 }));
 

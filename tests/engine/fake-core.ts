@@ -1,4 +1,4 @@
-import type { Core, CoreSession, Step } from '../../src/engine/core-api.ts';
+import type { Core, CoreField, CoreSession, Preparation, Step } from '../../src/engine/core-api.ts';
 import type { EncodedValues } from '../../src/engine/encode.ts';
 import type { Services } from '../../src/engine/services.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
@@ -12,8 +12,10 @@ export const failLambda = 67;
 export interface FakeOptions {
   /** Each step computes (blocks) this long. */
   readonly stepMilliseconds?: number;
-  /** So does preparing. */
+  /** So does each stage of preparing. */
   readonly prepareMilliseconds?: number;
+  /** How many stages preparing has; default 1. */
+  readonly prepareStages?: number;
 }
 
 /**
@@ -53,16 +55,18 @@ class FakeSession implements CoreSession {
   #target = new Float64Array();
   #values: EncodedValues = new Map();
   #iteration = 0;
+  #prepared = 0;
 
   constructor(core: FakeCore) {
     this.#core = core;
   }
 
-  load(positions: Float64Array, triangles: Uint32Array): MeshReport {
+  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): MeshReport {
     this.#core.log.push('load');
     const bad = positions.findIndex((coordinate) => !Number.isFinite(coordinate));
     if (bad >= 0) {
-      const vertex = Math.floor(bad / 3);
+      const welded = Math.floor(bad / 3);
+      const vertex = sourceVertices?.[welded] ?? welded;
       throw new WhittleError('not-finite', `vertex ${vertex} is not finite; repair the file`, vertex);
     }
     this.#rest = positions.slice();
@@ -80,6 +84,7 @@ class FakeSession implements CoreSession {
     this.#core.handles.push(handles);
     this.#values = values;
     this.#iteration = 0;
+    this.#prepared = 0;
     this.#target = this.#rest.map((coordinate) => coordinate / 2);
     handles?.indices.forEach((vertex, entry) => {
       this.#target.set(handles.numbers.subarray(3 * entry, 3 * entry + 3), 3 * vertex);
@@ -91,10 +96,28 @@ class FakeSession implements CoreSession {
     this.#current = this.#rest.slice();
   }
 
-  prepare(): void {
+  /** Prepares in {@link prepareStages} stages, each as long as the options say. */
+  prepareNext(): Preparation {
     this.#core.log.push('prepare');
+    this.#prepared++;
     const until = performance.now() + (this.#core.options.prepareMilliseconds ?? 0);
     while (performance.now() < until);
+    const { prepareStages = 1 } = this.#core.options;
+    return { stage: `stage ${this.#prepared}`, share: Math.min(1, this.#prepared / prepareStages) };
+  }
+
+  warnings(): string[] {
+    return [];
+  }
+
+  fields(): readonly CoreField[] {
+    return [{ name: 'height', label: 'Height', per: 'vertex', unit: '' }];
+  }
+
+  copyField(_name: string, into: Float64Array): void {
+    into.forEach((_, v) => {
+      into[v] = this.#current[3 * v + 2]!;
+    });
   }
 
   step(): Step {

@@ -24,7 +24,7 @@ afterEach(() => engine.dispose());
 
 const endless = { tolerance: 0, maxIterations: 1_000_000 };
 function settings(parameters: SolveSettings['parameters']): SolveSettings {
-  return { method: 'cubic', parameters, start: 'current', frames: false };
+  return { method: 'cubic', parameters, start: 'current', positions: false };
 }
 
 test('a worker that dies rejects all that waits, and the next call starts another that knows the mesh', async () => {

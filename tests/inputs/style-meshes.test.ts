@@ -8,7 +8,7 @@ import { sphereNormals } from '../../src/inputs/styles/sphere-normals.ts';
 import { capsule, findStyleMesh, styleMeshIds, tractricoid } from '../../src/inputs/styles/style-meshes.ts';
 import { areaVectors, type Surface, volume } from '../../src/inputs/styles/surface.ts';
 import { dot, length, row } from '../../src/mesh/vectors.ts';
-import { configure, testCore } from '../fixtures/core.ts';
+import { configure, prepare, testCore } from '../fixtures/core.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 import { cornerAngles, eulerCharacteristic, isClosedAndOriented } from '../fixtures/surfaces.ts';
 
@@ -17,7 +17,7 @@ async function flowed(surface: Surface, maxIterations = 300): Promise<Float64Arr
   const { positions, triangles } = surface;
   session.load(positions, triangles);
   configure(session, surface, 'spherical', { maxIterations });
-  session.prepare();
+  prepare(session);
   while (session.step().outcome === 'running');
   const result = new Float64Array(positions.length);
   session.copyPositions(result);

@@ -22,7 +22,7 @@ struct Descent {
 /// The core, run until its energy rests, or is as low as `enough` behind the papers' stop, or the time is over.
 Descent descend(const Problem& problem, double seconds, double enough = 0);
 
-/// The yardstick, run until it is as low as `enough` behind the papers' stop or the time is over, preparing not counted. Energies are
+/// The reference, run until it is as low as `enough` behind the papers' stop or the time is over, preparing not counted. Energies are
 /// worked out off the clock.
 Descent descendPlainly(const Problem& problem, double seconds, double enough);
 

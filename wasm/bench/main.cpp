@@ -1,10 +1,10 @@
-// Times the core against the yardstick on one mesh, in one process, and prints the numbers as JSON (times in ms, memory in
+// Times the core against the reference on one mesh, in one process, and prints the numbers as JSON (times in ms, memory in
 // bytes).
 //
 // usage: whittle-bench METHOD MESH SECONDS
 //
 // METHOD is one that `readProblem` has a problem for. MESH is a file as it wants it. SECONDS bounds the long run of the core; that of the
-// yardstick, where there is one, gets twice as many.
+// reference, where there is one, gets twice as many.
 
 #ifndef __EMSCRIPTEN__
 #include <sys/resource.h>
@@ -70,7 +70,7 @@ Json describe(const Descent& run, double lowest) {
       .add("stop", atStop);
 }
 
-/// The core beside the yardstick.
+/// The core beside the reference.
 void compare(const Problem& problem, double seconds, Json& result) {
   // First of all the core, cold: a fresh process, as a person who opens the page has it.
   const Descent ours = descend(problem, seconds);

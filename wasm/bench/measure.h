@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "base/status.h"
 
 namespace whittle::bench {
@@ -43,26 +44,5 @@ inline void require(const Status& status) {
   std::fprintf(stderr, "%s: %s\n", codeName(status.code), status.message.c_str());
   std::exit(1);
 }
-
-/// An object of JSON, written front to back.
-class Json {
- public:
-  Json& add(const char* key, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return raw(key, text);
-  }
-  Json& add(const char* key, const std::string& text) { return raw(key, "\"" + text + "\""); }
-  Json& add(const char* key, const Json& object) { return raw(key, object.text()); }
-  std::string text() const { return "{" + body_ + "}"; }
-
- private:
-  Json& raw(const char* key, const std::string& value) {
-    body_ += (body_.empty() ? "\"" : ",\"") + std::string(key) + "\":" + value;
-    return *this;
-  }
-
-  std::string body_;
-};
 
 }  // namespace whittle::bench

@@ -90,7 +90,7 @@ class Ours {
   Points solution_;
 };
 
-/// The yardstick in a run, stopping rule included.
+/// The reference in a run, stopping rule included.
 class Plain {
  public:
   explicit Plain(const Problem& problem)

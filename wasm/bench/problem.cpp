@@ -54,25 +54,25 @@ Points sidesOfCube() {
 }
 
 /// Waves along two axes, their texture laid on from the third.
-Relief waves(const TriangleMesh& mesh) {
-  Relief relief{CornerPairs(3 * mesh.faceCount(), 2), CornerPairs(3 * mesh.faceCount(), 2)};
+TextureSlopes waves(const TriangleMesh& mesh) {
+  TextureSlopes texture{CornerPairs(3 * mesh.faceCount(), 2), CornerPairs(3 * mesh.faceCount(), 2)};
   for (Index corner = 0; corner < 3 * mesh.faceCount(); ++corner) {
     const auto point = mesh.positions.row(mesh.triangles.data()[corner]);
     for (int axis = 0; axis < 2; ++axis) {
-      relief.uvs(corner, axis) = static_cast<float>(point[axis]);
-      relief.slopes(corner, axis) = static_cast<float>(0.3 * std::sin(40 * point[axis]));
+      texture.uvs(corner, axis) = static_cast<float>(point[axis]);
+      texture.slopes(corner, axis) = static_cast<float>(0.3 * std::sin(40 * point[axis]));
     }
   }
-  return relief;
+  return texture;
 }
 
 Status chooseParameters(Session& session, const Problem& problem) {
-  if (problem.method == "cubic") return session.setNumber("lambda", problem.plain.cubeness);
-  if (problem.method == "normalmap") return session.setRelief("image", waves(problem.mesh));
-  if (problem.method == "polycube") return session.setStyle("directions", GaussMapData{.normals = sidesOfCube()});
+  if (problem.method == "cubic") return session.set("lambda", encoded(problem.plain.cubeness));
+  if (problem.method == "normalmap") return session.set("image", encoded(waves(problem.mesh)));
+  if (problem.method == "polycube") return session.set("directions", encoded(GaussMapData{.normals = sidesOfCube()}));
   if (problem.method != "analogy") return {};
-  if (Status status = session.setNumber("lambda", problem.plain.strength); !status.ok()) return status;
-  return session.setStyle("style", GaussMapData{.normals = problem.plain.style});
+  if (Status status = session.set("lambda", encoded(problem.plain.strength)); !status.ok()) return status;
+  return session.set("style", encoded(GaussMapData{.normals = problem.plain.style}));
 }
 
 }  // namespace
@@ -102,9 +102,9 @@ Status open(Session& session, const Problem& problem) {
   if (Status status = session.select(problem.method); !status.ok()) return status;
   if (Status status = chooseParameters(session, problem); !status.ok()) return status;
   if (!problem.hasPlainPath()) return {};
-  if (Status status = session.setNumber("tolerance", 0); !status.ok()) return status;
-  if (Status status = session.setNumber("maxIterations", 1e6); !status.ok()) return status;
-  return session.setHandles(problem.plain.handles);
+  if (Status status = session.set("tolerance", encoded(0)); !status.ok()) return status;
+  if (Status status = session.set("maxIterations", encoded(1e6)); !status.ok()) return status;
+  return session.set("handles", encoded(problem.plain.handles));
 }
 
 }  // namespace whittle::bench

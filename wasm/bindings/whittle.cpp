@@ -7,6 +7,9 @@ using namespace whittle;
 struct WhittleSession {
   Session session;
   Status last;
+  Outcome outcome = Outcome::running;
+  std::vector<std::string> warnings;
+  std::string fields;
 
   int keep(Status status) {
     last = std::move(status);
@@ -14,14 +17,19 @@ struct WhittleSession {
   }
 };
 
+int32_t whittle_abi_version() { return 2; }
+
 WhittleSession* whittle_create() { return new WhittleSession; }
 
 void whittle_destroy(WhittleSession* session) { delete session; }
 
 int whittle_load(WhittleSession* session, const double* positions, int32_t vertex_count, const int32_t* triangles,
-                 int32_t face_count) {
+                 int32_t face_count, const int32_t* source_vertices) {
+  std::vector<Index> source;
+  if (source_vertices) source.assign(source_vertices, source_vertices + vertex_count);
   return session->keep(session->session.load({Eigen::Map<const Points>(positions, vertex_count, 3),
-                                              Eigen::Map<const Triangles>(triangles, face_count, 3)}));
+                                              Eigen::Map<const Triangles>(triangles, face_count, 3)},
+                                             std::move(source)));
 }
 
 void whittle_report(const WhittleSession* session, double* numbers) {
@@ -35,54 +43,55 @@ void whittle_report(const WhittleSession* session, double* numbers) {
 
 int whittle_select(WhittleSession* session, const char* method) { return session->keep(session->session.select(method)); }
 
-int whittle_set_number(WhittleSession* session, const char* parameter, double value) {
-  return session->keep(session->session.setNumber(parameter, value));
-}
-
-int whittle_set_scalars(WhittleSession* session, const char* parameter, const double* values, int32_t count) {
-  return session->keep(session->session.setScalars(parameter, Eigen::Map<const Scalars>(values, count)));
-}
-
-int whittle_set_style(WhittleSession* session, const char* parameter, int32_t kind, const double* normals, int32_t normal_count,
-                      const double* points, int32_t point_count, const int32_t* triangles, int32_t triangle_count) {
-  if (kind < 0 || kind > 2) return session->keep(session->session.setStyle(parameter, std::nullopt));
-  return session->keep(session->session.setStyle(
-      parameter, GaussMapData{static_cast<GaussMapData::Kind>(kind), Eigen::Map<const Points>(normals, normal_count, 3),
-                              Eigen::Map<const Points>(points, point_count, 3),
-                              Eigen::Map<const Triangles>(triangles, triangle_count, 3)}));
-}
-
-int whittle_set_relief(WhittleSession* session, const char* parameter, const float* uvs, const float* slopes, int32_t face_count) {
-  if (face_count == 0) return session->keep(session->session.setRelief(parameter, std::nullopt));
-  return session->keep(session->session.setRelief(parameter, Relief{Eigen::Map<const CornerPairs>(uvs, 3 * face_count, 2),
-                                                                    Eigen::Map<const CornerPairs>(slopes, 3 * face_count, 2)}));
-}
-
-int whittle_set_handles(WhittleSession* session, const int32_t* vertices, const double* targets, int32_t count) {
-  return session->keep(session->session.setHandles(
-      {std::vector<Index>(vertices, vertices + count), Eigen::Map<const Points>(targets, count, 3)}));
+int whittle_set_value(WhittleSession* session, const char* parameter, const char* name, const double* numbers,
+                      int32_t number_count, const int32_t* indices, int32_t index_count) {
+  RawValue value;
+  value.name = name;
+  value.numbers = {numbers, static_cast<std::size_t>(number_count)};
+  value.indices = {indices, static_cast<std::size_t>(index_count)};
+  return session->keep(session->session.set(parameter, value));
 }
 
 void whittle_restart(WhittleSession* session) { session->session.restart(); }
 
-int whittle_prepare(WhittleSession* session) { return session->keep(session->session.prepare()); }
+int whittle_prepare(WhittleSession* session, double* share) { return session->keep(session->session.prepareNext(*share)); }
 
-int whittle_step(WhittleSession* session, double* outcome_energy_change) {
+const char* whittle_stage(WhittleSession* session) { return session->session.stage(); }
+
+int whittle_step(WhittleSession* session, double* energy_change) {
   StepReport report;
   const int code = session->keep(session->session.step(report));
-  outcome_energy_change[0] = static_cast<double>(report.outcome);
-  outcome_energy_change[1] = report.energy;
-  outcome_energy_change[2] = report.change;
+  session->outcome = report.outcome;
+  energy_change[0] = report.energy;
+  energy_change[1] = report.change;
   return code;
 }
 
+const char* whittle_outcome(const WhittleSession* session) { return outcomeName(session->outcome); }
+
 void whittle_positions(const WhittleSession* session, double* positions) { session->session.copyPositions(positions); }
+
+int32_t whittle_warning_count(WhittleSession* session) {
+  session->warnings = session->session.warnings();
+  return static_cast<int32_t>(session->warnings.size());
+}
+
+const char* whittle_warning(const WhittleSession* session, int32_t index) { return session->warnings[index].c_str(); }
+
+const char* whittle_fields(WhittleSession* session) {
+  session->fields = describeFields(session->session.fields());
+  return session->fields.c_str();
+}
+
+int whittle_field(WhittleSession* session, const char* name, double* values) {
+  return session->keep(session->session.copyField(name, values));
+}
 
 const char* whittle_code_name(int code) { return codeName(static_cast<Code>(code)); }
 
 const char* whittle_message(const WhittleSession* session) { return session->last.message.c_str(); }
 
-int32_t whittle_element(const WhittleSession* session) { return session->last.element; }
+int32_t whittle_element(const WhittleSession* session) { return session->last.element.index; }
 
 const char* whittle_methods() {
   static const std::string json = describeMethods();

@@ -50,13 +50,13 @@ void PlainLocalGlobal::listHalfEdges() {
 }
 
 void PlainLocalGlobal::lookUpTargets() {
-  pulls_ = problem_.strength * mixedVoronoiAreas(rest_.positions, rest_.triangles);
+  targetWeights_ = problem_.strength * mixedVoronoiAreas(rest_.positions, rest_.triangles);
   targets_.resize(rest_.vertexCount(), 3);
   for (Index i = 0; i < rest_.vertexCount(); ++i) {
     Index closest;
     (problem_.style * normals_.row(i).transpose()).maxCoeff(&closest);
     targets_.row(i) = problem_.style.row(closest);
-    if (normals_.row(i).isZero(0)) pulls_[i] = 0;
+    if (normals_.row(i).isZero(0)) targetWeights_[i] = 0;
   }
 }
 
@@ -130,7 +130,7 @@ void PlainLocalGlobal::localStep(const Points& positions) {
       const HalfEdge& edge = halfEdges_[e];
       M += 2 * edge.c * edge.d * (positions.row(edge.to) - positions.row(edge.from));
     }
-    if (pulls_.size() > 0) M += 2 * pulls_[i] * normals_.row(i).transpose() * targets_.row(i);
+    if (targetWeights_.size() > 0) M += 2 * targetWeights_[i] * normals_.row(i).transpose() * targets_.row(i);
     const double weight = problem_.cubeness * areas_[i];
     const Mat3 R =
         weight > 0 ? plainCubic(M, normals_.row(i).transpose(), weight, problem_.admm, admm_[i]) : plainRotation(M);
@@ -167,7 +167,7 @@ double PlainLocalGlobal::energy(const Points& positions) const {
     }
     const Vec3 n = R * normals_.row(i).transpose();
     sum += problem_.cubeness * areas_[i] * n.lpNorm<1>();
-    if (pulls_.size() > 0) sum += pulls_[i] * (n - targets_.row(i).transpose()).squaredNorm();
+    if (targetWeights_.size() > 0) sum += targetWeights_[i] * (n - targets_.row(i).transpose()).squaredNorm();
   }
   return sum;
 }

@@ -71,7 +71,7 @@ class PlainLocalGlobal {
   // Of the rest shape
   Scalars areas_;                    // #V, barycentric
   Points normals_;                   // #V×3
-  Scalars pulls_;                    // #V, λ A_i with mixed Voronoi areas; empty without a style
+  Scalars targetWeights_;            // #V, λ A_i with mixed Voronoi areas; empty without a style
   Points targets_;                   // #V×3, t_i
   std::vector<Index> start_;         // #V + 1, into halfEdges_
   std::vector<HalfEdge> halfEdges_;  // the edges of all faces of vertex 0, of vertex 1, …
@@ -91,7 +91,7 @@ class PlainLocalGlobal {
   std::vector<AdmmState> admm_;
 };
 
-/// Longest move of a vertex as a share of the longest way from rest: the papers' stopping rule (2019, §3.1).
+/// Longest move of a vertex as a share of the largest displacement: the papers' stopping rule (2019, §3.1).
 double relativeDisplacement(const Points& before, const Points& after, const Points& rest);
 
 /// The mesh in its unit frame.

@@ -37,6 +37,8 @@ function sentence({ activity, project }: PageState): string {
     case 'writing':
       return `Writing ${activity.name}…`;
     case 'solving':
+      if (activity.preparing)
+        return `${capital(activity.preparing.stage)}… ${Math.round(100 * activity.preparing.share)} %`;
       if (!activity.live) return 'Settling…';
       return activity.iteration > 0 ? `Carving… iteration ${activity.iteration}` : 'Carving…';
     default:
@@ -58,6 +60,10 @@ function rest(project: PageState['project']): string {
 /** Of a method without a tolerance the number of iterations is no limit but all there is. */
 function endsByCount(method: string): boolean {
   return !findMethod(method)?.parameters.some(({ name }) => name === 'tolerance');
+}
+
+function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 customElements.define('whittle-status', WhittleStatus);

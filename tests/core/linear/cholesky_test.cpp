@@ -7,8 +7,8 @@
 
 #include "linear/dense_front.h"
 #include "linear/elimination_tree.h"
-#include "linear/minimum_degree.h"
 #include "linear/sparse_cholesky.h"
+#include "linear/supernodes.h"
 #include "support/allocations.h"
 #include "support/systems.h"
 
@@ -106,7 +106,9 @@ TEST_CASE("dense fronts: factor and inverse panels against Eigen") {
     Eigen::MatrixXd padded = Eigen::MatrixXd::Constant(height, columns + kFrontPadding, kGarbage);
     auto panel = padded.leftCols(columns);
     panel = A.leftCols(columns);
-    REQUIRE(factorPanel(panel.data(), height, columns));
+    for (Index first = 0; first < columns; first += kFrontBlock) {
+      REQUIRE(factorPanelBlock(panel.data(), height, columns, first));
+    }
 
     const Eigen::MatrixXd corner = A.topLeftCorner(columns, columns);
     const Eigen::MatrixXd L11 = corner.llt().matrixL();
@@ -119,10 +121,73 @@ TEST_CASE("dense fronts: factor and inverse panels against Eigen") {
     Eigen::MatrixXd paddedInverse = Eigen::MatrixXd::Constant(height, columns + kFrontPadding, kGarbage);
     Eigen::MatrixXd scratch = Eigen::MatrixXd::Constant(columns, columns + kFrontPadding, kGarbage);
     const auto inverse = paddedInverse.leftCols(columns);
-    invertPanel(panel.data(), paddedInverse.data(), scratch.data(), height, columns);
+    beginInverse(panel.data(), paddedInverse.data(), height, columns);
+    for (Index end = columns; end > 0; end -= kFrontBlock) {
+      invertPanelBlock(panel.data(), paddedInverse.data(), scratch.data(), height, columns, end);
+    }
     CHECK((inverse.topRows(columns) - inverse11).norm() < 1e-12 * inverse11.norm());
     CHECK((inverse.bottomRows(height - columns) + L21 * inverse11).norm() < 1e-12);
   }
+}
+
+TEST_CASE("right-hand sides of any number and storage are solved alike, three by three to the bit") {
+  Noise noise;
+  const Index n = 13 * 13;
+  const SparseMatrix A = matrixOn(n, gridEdges(13), noise);
+  SparseCholesky cholesky;
+  cholesky.analyze(A);
+  REQUIRE(cholesky.factorize(A).ok());
+  for (const Index count : {0, 1, 2, 3, 4, 9, 24, 25, 77}) {
+    CAPTURE(count);
+    const Eigen::MatrixXd B = randomMatrix(n, count, noise);
+    Eigen::MatrixXd X = B;
+    cholesky.solve(X);
+    if (count > 0) CHECK((A * X - B).norm() < 1e-5 * B.norm());
+    RowMajor rows = B;
+    const long before = allocationCount();
+    cholesky.solve(rows);
+    CHECK(allocationCount() == before);
+    CHECK(rows == X);
+    for (Index first = 0; first + 3 <= count; first += 3) {
+      Points three = B.middleCols(first, 3);
+      cholesky.solve(three);
+      CHECK(three == X.middleCols(first, 3));
+    }
+    Eigen::MatrixXd some = B;  // every second column, where it is
+    if (count % 2 == 0) {
+      using Strided = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+      cholesky.solve(Strided(some.data(), n, count / 2, Eigen::OuterStride<>(2 * n)));
+      for (Index c = 0; c < count; ++c) CHECK((some.col(c) - (c % 2 ? B : X).col(c)).norm() <= 1e-6 * B.norm());
+    }
+  }
+}
+
+TEST_CASE("right-hand sides in rows of their own are solved where they are, others of any number too") {
+  Noise noise;
+  const Index n = 60;
+  const SparseMatrix A = matrixOn(n, randomEdges(n, 150, noise), noise);
+  std::vector<Index> rowOf(n);
+  for (Index i = 0; i < n; ++i) rowOf[i] = 2 * (n - i);  // row 0 is spare, every other one somebody else's
+  SparseCholesky plain, placed;
+  plain.analyze(A);
+  placed.beginAnalyze(A, {}, rowOf, 0);
+  while (placed.analyzeNext() < 1) {}
+  REQUIRE(plain.factorize(A).ok());
+  REQUIRE(placed.factorize(A).ok());
+  Points B = randomPoints(n, noise);
+  LaneRows rows(2 * n + 1, {7, 7, 7, 7});
+  for (Index i = 0; i < n; ++i) {
+    rows[rowOf[i]] = {static_cast<float>(B(i, 0)), static_cast<float>(B(i, 1)), static_cast<float>(B(i, 2)), 0};
+  }
+  placed.solve(rows.data());
+  Points X = B;
+  plain.solve(X);
+  for (Index i = 0; i < n; ++i) {
+    CHECK(Vec3(rows[rowOf[i]].x, rows[rowOf[i]].y, rows[rowOf[i]].z) == X.row(i).transpose());
+    CHECK(rows[rowOf[i] - 1].x == 7);
+  }
+  placed.solve(B);
+  CHECK(B == X);
 }
 
 TEST_CASE("a pivot that is not positive is noticed wherever it is") {

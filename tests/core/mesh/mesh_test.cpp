@@ -28,7 +28,7 @@ TEST_CASE("the door refuses and names the element") {
   const auto refused = [](const TriangleMesh& bad, Code code, Index element) {
     const Status status = validate(bad);
     CHECK(status.code == code);
-    CHECK(status.element == element);
+    CHECK(status.element.index == element);
     CHECK(status.message.size() > 20);
   };
   refused({mesh.positions, Triangles(0, 3)}, Code::noFaces, -1);

@@ -18,12 +18,12 @@ struct Run {
   Outcome outcome = Outcome::running;
 };
 
-Run carve(const TriangleMesh& mesh, double stopOn, double tolerance) {
+Run carve(const TriangleMesh& mesh, const std::string& stopOn, double tolerance) {
   Session session;
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("cubic").ok());
-  REQUIRE(session.setNumber("stopOn", stopOn).ok());
-  REQUIRE(session.setNumber("tolerance", tolerance).ok());
+  REQUIRE(session.set("stopOn", encoded(stopOn)).ok());
+  REQUIRE(session.set("tolerance", encoded(tolerance)).ok());
   REQUIRE(session.prepare().ok());
   Run run;
   while (run.outcome == Outcome::running) {
@@ -78,10 +78,10 @@ TEST_CASE("the iteration limit and a stalled energy end a run") {
 
 TEST_CASE("a run stops on the energy it was told to") {
   const TriangleMesh mesh = bent(sphere(3));
-  const double converged = carve(mesh, 0, 1e-6).energies.back();
+  const double converged = carve(mesh, "displacement", 1e-6).energies.back();
   std::size_t before = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5}) {
-    const Run run = carve(mesh, 1, tolerance);
+    const Run run = carve(mesh, "energy", tolerance);
     CHECK(run.outcome == Outcome::converged);
     const std::size_t n = run.energies.size();
     CHECK(n >= before);

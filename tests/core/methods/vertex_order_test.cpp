@@ -9,37 +9,28 @@
 using namespace whittle;
 using namespace whittle::testing;
 
-TEST_CASE("a numbering takes everything that belongs to vertices along, and gives the mesh back") {
+TEST_CASE("a vertex order takes everything that belongs to vertices along, and gives the mesh back") {
   const TriangleMesh mesh = together(bent(sphere(2)), moebiusStrip(9), {3, 0, 0});
   const Index n = mesh.vertexCount();
-  const Numbering numbering = Numbering::of(mesh);
+  const VertexOrder order = VertexOrder::of(mesh);
   std::vector<int> seen(n, 0);
-  for (Index place = 0; place < n; ++place) ++seen[numbering.vertexAt(place)];
+  for (Index place = 0; place < n; ++place) ++seen[order.vertexAt(place)];
   CHECK(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
 
-  const TriangleMesh ordered = numbering.ordered(mesh);
+  const TriangleMesh ordered = order.ordered(mesh);
   for (Index f = 0; f < mesh.faceCount(); ++f) {
-    for (int k = 0; k < 3; ++k) CHECK(numbering.vertexAt(ordered.triangles(f, k)) == mesh.triangles(f, k));
+    for (int k = 0; k < 3; ++k) CHECK(order.vertexAt(ordered.triangles(f, k)) == mesh.triangles(f, k));
   }
-  for (Index place = 0; place < n; ++place) CHECK(ordered.positions.row(place) == mesh.positions.row(numbering.vertexAt(place)));
-  const TriangleMesh again = numbering.inFileOrder(ordered);
+  for (Index place = 0; place < n; ++place) CHECK(ordered.positions.row(place) == mesh.positions.row(order.vertexAt(place)));
+  const TriangleMesh again = order.asLoaded(ordered);
   CHECK(again.positions == mesh.positions);
   CHECK(again.triangles == mesh.triangles);
 
-  const std::vector<ParameterInfo> infos = {{"number", ParameterKind::number, Stale::all},
-                                            {"scalars", ParameterKind::scalars, Stale::all},
-                                            {"rotations", ParameterKind::rotations, Stale::all},
-                                            {"none", ParameterKind::scalars, Stale::all}};
-  Settings settings = Settings::defaults(infos);
-  settings.scalars[1].setLinSpaced(n, 0, n - 1);
-  settings.scalars[2].setLinSpaced(4 * n, 0, 4 * n - 1);
-  settings.handles = {{5, 70}, Points::Zero(2, 3)};
-  const Settings moved = numbering.ordered(settings, infos);
+  const Scalars numbers = Scalars::LinSpaced(n, 0, n - 1);
+  const Scalars moved = order.orderedRows(numbers);
   for (Index place = 0; place < n; ++place) {
-    CHECK(moved.scalars[1][place] == numbering.vertexAt(place));
-    for (int i = 0; i < 4; ++i) CHECK(moved.scalars[2][4 * place + i] == 4 * numbering.vertexAt(place) + i);
+    CHECK(moved[place] == order.vertexAt(place));
+    CHECK(order.placeOf(order.vertexAt(place)) == place);
   }
-  CHECK(moved.scalars[3].size() == 0);
-  CHECK(numbering.vertexAt(moved.handles.vertices[0]) == 5);
-  CHECK(numbering.vertexAt(moved.handles.vertices[1]) == 70);
+  CHECK(order.rowsAsLoaded(moved) == numbers);
 }

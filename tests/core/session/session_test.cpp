@@ -17,18 +17,18 @@ TEST_CASE("what cannot be done is refused by name and leaves the session usable"
   CHECK(session.select("spheric").code == Code::unknownMethod);
   REQUIRE(session.select("cubic").ok());
 
-  CHECK(session.setNumber("lamda", 1).code == Code::badParameter);
-  CHECK(session.setNumber("handles", 1).code == Code::badParameter);
+  CHECK(session.set("lamda", encoded(1)).code == Code::badParameter);
+  CHECK(session.set("handles", encoded(1)).code == Code::badParameter);
   for (const double bad : {-0.1, 100.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    CHECK(session.setNumber("lambda", bad).code == Code::badParameter);
+    CHECK(session.set("lambda", encoded(bad)).code == Code::badParameter);
   }
-  CHECK(session.setNumber("maxIterations", 2.5).code == Code::badParameter);
+  CHECK(session.set("maxIterations", encoded(2.5)).code == Code::badParameter);
 
   const Points origin = Points::Zero(1, 3);
-  CHECK(session.setHandles({{66}, origin}).code == Code::badHandles);
-  CHECK(session.setHandles({{-1}, origin}).code == Code::badHandles);
-  CHECK(session.setHandles({{3, 3}, Points::Zero(2, 3)}).code == Code::badHandles);
-  CHECK(session.setHandles({{3}, Points::Constant(1, 3, std::numeric_limits<double>::infinity())}).code == Code::badHandles);
+  CHECK(session.set("handles", encoded(Handles{{66}, origin})).code == Code::badHandles);
+  CHECK(session.set("handles", encoded(Handles{{-1}, origin})).code == Code::badHandles);
+  CHECK(session.set("handles", encoded(Handles{{3, 3}, Points::Zero(2, 3)})).code == Code::badHandles);
+  CHECK(session.set("handles", encoded(Handles{{3}, Points::Constant(1, 3, std::numeric_limits<double>::infinity())})).code == Code::badHandles);
 
   REQUIRE(session.prepare().ok());
   StepReport report;
@@ -46,7 +46,7 @@ TEST_CASE("no iterations asked for, none done") {
   Session session;
   REQUIRE(session.load(sphere(2)).ok());
   REQUIRE(session.select("cubic").ok());
-  REQUIRE(session.setNumber("maxIterations", 0).ok());
+  REQUIRE(session.set("maxIterations", encoded(0)).ok());
   REQUIRE(session.prepare().ok());
   StepReport report;
   REQUIRE(session.step(report).ok());
@@ -62,7 +62,7 @@ TEST_CASE("all held: the handles are where they should be and nothing else happe
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("arap").ok());
   Handles handles{{0, 1, 2, 3}, mesh.positions * 2};
-  REQUIRE(session.setHandles(handles).ok());
+  REQUIRE(session.set("handles", encoded(handles)).ok());
   REQUIRE(session.prepare().ok());
   StepReport report;
   for (int step = 0; step < 3; ++step) REQUIRE(session.step(report).ok());
@@ -79,7 +79,7 @@ TEST_CASE("vertices keep the file's numbers outside, and in what a refusal says"
   Session session;
   REQUIRE(session.load(open).ok());
   REQUIRE(session.select("arap").ok());
-  REQUIRE(session.setHandles({{7}, open.positions.row(7) * 1.5}).ok());
+  REQUIRE(session.set("handles", encoded(Handles{{7}, open.positions.row(7) * 1.5})).ok());
   REQUIRE(session.prepare().ok());
   StepReport report;
   REQUIRE(session.step(report).ok());
@@ -90,8 +90,72 @@ TEST_CASE("vertices keep the file's numbers outside, and in what a refusal says"
   REQUIRE(session.select("spherical").ok());
   const Status refused = session.prepare();
   CHECK(refused.code == Code::unsuitableMesh);
-  CHECK(isOnHole(refused.element));
-  CHECK(refused.message.find("vertex " + std::to_string(refused.element)) != std::string::npos);
+  CHECK(isOnHole(refused.element.index));
+  CHECK(refused.message.find("vertex " + std::to_string(refused.element.index)) != std::string::npos);
+}
+
+TEST_CASE("failures speak of the numbers that the file has for its vertices") {
+  const TriangleMesh mesh = sphere(2);
+  std::vector<Index> source;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) source.push_back(1000 - v);
+  const auto speaksOf = [](const Status& status, const char* element, Index number) {
+    INFO(status.message);
+    CHECK(status.element.index == number);
+    CHECK(status.message.find(element + (" " + std::to_string(number))) != std::string::npos);
+    CHECK(status.message.find("{}") == std::string::npos);
+  };
+  Session session;
+  REQUIRE(session.load(mesh, source).ok());
+  REQUIRE(session.select("cubic").ok());
+  Scalars lambdas = Scalars::Ones(66);
+  lambdas[7] = -1;
+  speaksOf(session.set("lambdaPerVertex", encoded(lambdas)), "vertex", 993);
+  speaksOf(session.set("handles", encoded(Handles{{4, 4}, Points::Zero(2, 3)})), "vertex", 996);
+  speaksOf(session.set("polyhedron", encoded(Scalars::Zero(3))), "row", 0);  // not an element of the mesh
+
+  TriangleMesh broken = mesh;
+  broken.positions(5, 1) = std::numeric_limits<double>::quiet_NaN();
+  speaksOf(session.load(broken, source), "vertex", 995);
+  broken = mesh;
+  broken.triangles(9, 2) = 66;
+  speaksOf(session.load(broken, source), "face", 9);
+
+  TriangleMesh open = mesh;
+  open.triangles.conservativeResize(open.faceCount() - 1, 3);
+  REQUIRE(session.load(open, source).ok());
+  for (const char* method : {"arap", "spherical"}) {  // before the vertices are ordered, and after
+    REQUIRE(session.select("spherical").ok());
+    const Status refused = session.prepare();
+    speaksOf(refused, "vertex", refused.element.index);
+    CHECK((mesh.triangles.bottomRows(1).array() == 1000 - refused.element.index).any());
+    REQUIRE(session.select(method).ok());
+    CHECK(session.prepare().ok() == (std::string(method) == "arap"));
+  }
+}
+
+TEST_CASE("warnings say what will not do anything") {
+  Session session;
+  CHECK(session.warnings().empty());
+  REQUIRE(session.load(sphere(2)).ok());
+  REQUIRE(session.select("arap").ok());
+  REQUIRE(session.warnings().size() == 1);
+  CHECK(session.warnings()[0].find("handles") != std::string::npos);
+  REQUIRE(session.set("handles", encoded(Handles{{0}, Points::Zero(1, 3)})).ok());
+  CHECK(session.warnings().empty());
+
+  REQUIRE(session.select("cubic").ok());
+  CHECK(session.warnings().empty());
+  REQUIRE(session.set("lambda", encoded(0)).ok());
+  CHECK(session.warnings().size() == 1);
+  REQUIRE(session.set("lambdaPerVertex", encoded(Scalars::Ones(66))).ok());
+  CHECK(session.warnings().empty());
+}
+
+TEST_CASE("outcomes have names") {
+  CHECK(std::string(outcomeName(Outcome::running)) == "running");
+  CHECK(std::string(outcomeName(Outcome::converged)) == "converged");
+  CHECK(std::string(outcomeName(Outcome::iterationLimit)) == "iteration-limit");
+  CHECK(std::string(outcomeName(Outcome::stalled)) == "stalled");
 }
 
 TEST_CASE("the registry describes itself as JSON") {

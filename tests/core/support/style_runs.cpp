@@ -24,15 +24,15 @@ GaussMapData octahedronStyle() {
 
 void prepareAnalogy(Session& session, const Analogy& analogy) {
   REQUIRE(session.select("analogy").ok());
-  REQUIRE(session.setStyle("style", analogy.style).ok());
-  REQUIRE(session.setNumber("lambda", analogy.lambda).ok());
-  REQUIRE(session.setNumber("regularizer", analogy.regularizer).ok());
-  REQUIRE(session.setNumber("dynamicTargets", analogy.isDynamic).ok());
-  REQUIRE(session.setScalars("lambdaPerVertex", analogy.lambdaPerVertex).ok());
-  REQUIRE(session.setNumber("acceleration", analogy.acceleration).ok());
-  REQUIRE(session.setNumber("tolerance", analogy.tolerance).ok());
-  REQUIRE(session.setNumber("maxIterations", analogy.maxIterations).ok());
-  REQUIRE(session.setHandles(analogy.handles).ok());
+  REQUIRE(session.set("style", encoded(analogy.style)).ok());
+  REQUIRE(session.set("lambda", encoded(analogy.lambda)).ok());
+  REQUIRE(session.set("regularizer", encoded(analogy.regularizer)).ok());
+  REQUIRE(session.set("dynamicTargets", encoded(analogy.isDynamic)).ok());
+  REQUIRE(session.set("lambdaPerVertex", encoded(analogy.lambdaPerVertex)).ok());
+  REQUIRE(session.set("acceleration", encoded(analogy.acceleration)).ok());
+  REQUIRE(session.set("tolerance", encoded(analogy.tolerance)).ok());
+  REQUIRE(session.set("maxIterations", encoded(analogy.maxIterations)).ok());
+  REQUIRE(session.set("handles", encoded(analogy.handles)).ok());
   REQUIRE(session.prepare().ok());
 }
 

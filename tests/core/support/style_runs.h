@@ -16,11 +16,11 @@ GaussMapData octahedronStyle();
 struct Analogy {
   GaussMapData style = cubeStyle();
   double lambda = 1;
-  int regularizer = 0;  // arap, farap, acap
+  std::string regularizer = "arap";
   bool isDynamic = false;
   double tolerance = 3e-3;
   int maxIterations = 300;
-  int acceleration = 0;
+  std::string acceleration = "nesterov";
   Handles handles = {};
   Scalars lambdaPerVertex = {};
 };

@@ -2,7 +2,30 @@
 
 #include <algorithm>
 
+#include "linear/minimum_degree.h"
+#include "linear/nested_dissection.h"
+
 namespace whittle::testing {
+
+namespace {
+
+template <typename Task>
+auto inOneGo(Task&& task) {
+  while (task.next() < 1) {}
+  return task.take();
+}
+
+}  // namespace
+
+std::vector<Index> minimumDegreeOrder(const Graph& graph) { return inOneGo(MinimumDegree(graph)); }
+
+std::vector<Index> nestedDissectionOrder(const Graph& graph, const Points& coordinates) {
+  return inOneGo(NestedDissection(graph, coordinates));
+}
+
+Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering) {
+  return inOneGo(SupernodeAnalysis(A, ordering));
+}
 
 Edges path(Index n) {
   Edges edges;
@@ -90,6 +113,12 @@ Points randomPoints(Index n, Noise& noise) {
   Points points(n, 3);
   for (Index i = 0; i < n; ++i) points.row(i) << noise(), noise(), noise();
   return points;
+}
+
+Eigen::MatrixXd randomMatrix(Index rows, Index columns, Noise& noise) {
+  Eigen::MatrixXd matrix(rows, columns);
+  for (double& number : matrix.reshaped()) number = noise();
+  return matrix;
 }
 
 Index pick(Index n, Noise& noise) { return static_cast<Index>((noise() + 1) / 2 * n) % n; }

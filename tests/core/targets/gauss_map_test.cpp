@@ -133,7 +133,7 @@ TEST_CASE("what is no Gauss map is refused with a sentence") {
     change(data);
     const Status status = validateGaussMap(data);
     CHECK(status.code == Code::badParameter);
-    return status.message;
+    return status.numbered(status.element.index).message;
   };
   CHECK(messageOf([](GaussMapData& d) { d.normals.resize(0, 3); }).find("no normals") != std::string::npos);
   CHECK(messageOf([](GaussMapData& d) { d.normals.row(4).setZero(); }).find("normal 4") != std::string::npos);

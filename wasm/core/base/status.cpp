@@ -19,4 +19,14 @@ const char* codeName(Code code) {
   return "internal";
 }
 
+Status Status::numbered(Index number) const {
+  Status result = *this;
+  result.element.index = number;
+  const std::string place = kPlace;
+  for (std::size_t at = result.message.find(place); at != std::string::npos; at = result.message.find(place, at)) {
+    result.message.replace(at, place.size(), std::to_string(number));
+  }
+  return result;
+}
+
 }  // namespace whittle

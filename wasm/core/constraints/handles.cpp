@@ -8,14 +8,12 @@ Status validateHandles(const Handles& handles, Index vertexCount) {
   std::vector<bool> held(vertexCount, false);
   for (std::size_t h = 0; h < handles.vertices.size(); ++h) {
     const Index v = handles.vertices[h];
-    const std::string name = "handle " + std::to_string(h) + " holds vertex " + std::to_string(v);
-    if (v < 0 || v >= vertexCount) {
-      return Status::failure(Code::badHandles, name + ", but there are only " + std::to_string(vertexCount), v);
-    }
-    if (held[v]) return Status::failure(Code::badHandles, name + ", which another handle holds already", v);
-    if (!handles.targets.row(h).allFinite()) {
-      return Status::failure(Code::badHandles, name + " at a place that is not a number", v);
-    }
+    const auto refused = [&](const char* why) {
+      return Status::failure(Code::badHandles, "handle " + std::to_string(h) + " holds vertex {}" + why, Element::vertex(v));
+    };
+    if (v < 0 || v >= vertexCount) return refused(", which the mesh does not have");
+    if (held[v]) return refused(", which another handle holds already");
+    if (!handles.targets.row(h).allFinite()) return refused(" at a place that is not a number");
     held[v] = true;
   }
   return {};

@@ -5,10 +5,10 @@
 namespace whittle {
 
 /// The rotation that maximises tr(R M) (orthogonal Procrustes, det R = +1), from the singular value decomposition of M.
-/// Right for every finite matrix, reflected and rank-deficient ones included; the yardstick of the faster fits.
+/// Right for every finite matrix, reflected and rank-deficient ones included; what the faster fits are held against.
 Mat3 fitRotation(const Mat3& M);
 
-/// The same rotation, found by Newton's method on SO(3) from a rotation near it. Where the Hessian tr(A) I − sym(A),
+/// That rotation again, found by Newton's method on SO(3) from a rotation near it. Where the Hessian tr(A) I − sym(A),
 /// A = R M, is not positive definite (which certifies the global maximum) or Newton is slow, falls back on `fitRotation`.
 Mat3 fitRotation(const Mat3& M, const Mat3& guess);
 

@@ -1,44 +1,50 @@
 #include "linear/conjugate_gradients.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace whittle {
 
 namespace {
 
-using Row = Eigen::RowVector3d;  // a number for each right-hand side
-using Columns = std::array<bool, 3>;
-constexpr Columns kAll = {true, true, true};
-
-void multiply(const SparseMatrix& A, const Points& X, Points& AX) {
+/// A X for a symmetric A, of which only the lower triangle is read.
+template <typename Block>
+void multiply(const SparseMatrix& A, const Block& X, Block& AX) {
+  AX.setZero();
   for (Index column = 0; column < A.cols(); ++column) {
-    Row sum = Row::Zero();
-    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) sum += entry.value() * X.row(entry.row());
-    AX.row(column) = sum;  // by symmetry
+    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
+      if (entry.row() < column) continue;
+      AX.row(entry.row()) += entry.value() * X.row(column);
+      if (entry.row() > column) AX.row(column) += entry.value() * X.row(entry.row());
+    }
   }
 }
 
-Row dot(const Points& X, const Points& Y) {
-  Row sum = Row::Zero();
+template <typename Row, typename Block>
+Row dot(const Block& X, const Block& Y) {
+  Row sum = Row::Zero(X.cols());
   for (Index i = 0; i < X.rows(); ++i) sum += X.row(i).cwiseProduct(Y.row(i));
   return sum;
 }
 
-Row norm(const Points& X) { return dot(X, X).cwiseSqrt(); }
-
 /// X ← X diag(scale) + Y diag(factor).
-void combine(Points& X, const Row& scale, const Points& Y, const Row& factor) {
+template <typename Block, typename Row>
+void combine(Block& X, const Row& scale, const Block& Y, const Row& factor) {
   for (Index i = 0; i < X.rows(); ++i) X.row(i) = X.row(i).cwiseProduct(scale) + Y.row(i).cwiseProduct(factor);
 }
 
-/// Quotients for the columns that are not finished, zero for the others.
-Row quotient(const Row& dividend, const Row& divisor, const Columns& active) {
-  Row result = Row::Zero();
-  for (int c = 0; c < 3; ++c) {
-    if (active[c] && divisor[c] != 0) result[c] = dividend[c] / divisor[c];
-  }
-  return result;
+/// Quotients of columns, zero for those whose divisor is zero.
+template <typename Row>
+Row quotient(const Row& dividend, const Row& divisor) {
+  return (divisor.array() == 0).select(Row::Zero(divisor.size()), dividend.cwiseQuotient(divisor));
+}
+
+/// The numbers of the columns that are open, zero for the others.
+template <typename Row>
+Row ofOpen(const Row& norms, const Row& numbers) {
+  return (norms.array() == 0).select(Row::Zero(norms.size()), numbers);
 }
 
 Status notDefinite() {
@@ -48,56 +54,106 @@ Status notDefinite() {
 
 }  // namespace
 
-/// Each column is scaled to length 1, far from the limits of single precision. Columns with norm 0 stay 0.
-void ConjugateGradients::precondition(SparseCholesky& preconditioner, const Row& norms) {
-  step_.setZero();
-  combine(step_, Row::Zero(), residual_, quotient(Row::Ones(), norms, kAll));
-  preconditioner.solve(step_);
-  combine(step_, norms, residual_, Row::Zero());
+Status ConjugateGradients::solve(const SparseMatrix& A, const Preconditioner& precondition, ConstColumns B, Columns X,
+                                 const Limits& limits, Report& report) {
+  report = {};
+  if (B.count() == 0) return {};
+  const Index batches = (B.count() + kBatch - 1) / kBatch;
+  const Index width = (B.count() + batches - 1) / batches;
+  Status status;
+  for (Index first = 0; first < B.count() && status.ok(); first += width) {
+    const Index count = std::min(width, B.count() - first);
+    const Columns part = X.part(first, count);
+    take(B.part(first, count), part, width);
+    status = solveBatch(A, precondition, limits, report);
+    for (Index i = 0; i < part.rows(); ++i) {
+      for (Index c = 0; c < count; ++c) part(i, c) = solution_(i, c);
+    }
+  }
+  report.reached = status.ok() && report.residual <= limits.residual;
+  return status;
 }
 
-Status ConjugateGradients::solve(const SparseMatrix& A, SparseCholesky& preconditioner, const Points& B, Points& X,
-                                 const Limits& limits, Report& report) {
-  residual_.resize(B.rows(), 3), step_.resize(B.rows(), 3), direction_.resize(B.rows(), 3), image_.resize(B.rows(), 3);
-  report = {};
-  const Row scale = norm(B);
-  if (!scale.allFinite()) return notDefinite();
-  for (int c = 0; c < 3; ++c) {
-    if (scale[c] == 0) X.col(c).setZero();
+/// Columns that fill the batch up are zero.
+void ConjugateGradients::take(ConstColumns B, Columns X, Index width) {
+  for (Block* block : {&rhs_, &solution_, &residual_, &step_, &direction_, &image_}) block->resize(B.rows(), width);
+  rhs_.setZero(), solution_.setZero();
+  for (Index i = 0; i < B.rows(); ++i) {
+    for (Index c = 0; c < B.count(); ++c) rhs_(i, c) = B(i, c), solution_(i, c) = X(i, c);
   }
-  direction_.setZero(), image_.setZero();
-  const auto measure = [&] {
-    multiply(A, X, residual_);
-    combine(residual_, -Row::Ones(), B, Row::Ones());
-  };
-  measure();
+}
 
-  Row length = Row::Zero(), descent = Row::Zero();  // α and R·Z of the iteration before
-  for (;; ++report.iterations) {
-    Row norms = norm(residual_);
-    Columns active;
-    for (int c = 0; c < 3; ++c) {
-      active[c] = !(norms[c] <= limits.residual * scale[c]);  // numbers that are not finite are noticed below
-      if (!active[c]) norms[c] = 0;
-    }
-    if (!(active[0] || active[1] || active[2]) || report.iterations == limits.iterations) break;
-    precondition(preconditioner, norms);
-    // β of Polak and Ribière, Z·(R − R_before) / (R·Z)_before: with a rounded preconditioner that of Fletcher and Reeves would
-    // carry the rounding of every step into the next. R − R_before is −α Q.
-    const Row beta = -quotient(length.cwiseProduct(dot(step_, image_)), descent, active);
-    descent = dot(residual_, step_);
-    combine(direction_, beta, step_, Row::Ones());
-    multiply(A, direction_, image_);
-    const Row curvature = dot(direction_, image_);
-    for (int c = 0; c < 3; ++c) {
-      if (active[c] && !(curvature[c] > 0 && std::isfinite(curvature[c]))) return notDefinite();
-    }
-    length = quotient(dot(direction_, residual_), curvature, active);
-    combine(X, Row::Ones(), direction_, length);
-    combine(residual_, Row::Ones(), image_, -length);
+Status ConjugateGradients::solveBatch(const SparseMatrix& A, const Preconditioner& precondition, const Limits& limits,
+                                      Report& report) {
+  scale_ = dot<Row>(rhs_, rhs_).cwiseSqrt();
+  if (!scale_.allFinite()) return notDefinite();
+  for (Index c = 0; c < scale_.size(); ++c) {
+    if (scale_[c] == 0) solution_.col(c).setZero();
   }
-  measure();
-  report.residual = quotient(norm(residual_), scale, kAll).maxCoeff();
+  // The residual that is carried along in a descent drifts from the true one; where that shows, another descent starts
+  // from there.
+  constexpr double kWorthwhile = 0.5;
+  int iterations = 0;
+  double before = std::numeric_limits<double>::infinity(), left = measure(A);
+  while (left > limits.residual && left < kWorthwhile * before && iterations < limits.iterations) {
+    if (Status status = descend(A, precondition, limits, iterations); !status.ok()) return status;
+    before = std::exchange(left, measure(A));
+  }
+  report.iterations = std::max(report.iterations, iterations);
+  report.residual = std::max(report.residual, left);
+  return std::isfinite(left) ? Status{} : notDefinite();
+}
+
+/// Computes the residuals from X. Returns the largest of their relative norms, infinity if one is not a number.
+double ConjugateGradients::measure(const SparseMatrix& A) {
+  multiply(A, solution_, residual_);
+  residual_ = rhs_ - residual_;
+  const Row relative = quotient<Row>(dot<Row>(residual_, residual_).cwiseSqrt(), scale_);
+  return relative.allFinite() ? relative.maxCoeff() : std::numeric_limits<double>::infinity();
+}
+
+/// Norms of the residuals that are above the limit, zero for the others.
+ConjugateGradients::Row ConjugateGradients::openNorms(double limit) const {
+  Row norms = dot<Row>(residual_, residual_).cwiseSqrt();
+  for (Index c = 0; c < norms.size(); ++c) {
+    if (norms[c] <= limit * scale_[c]) norms[c] = 0;
+  }
+  return norms;
+}
+
+/// Z = M⁻¹ R. Each column is scaled to length 1, far from the limits of single precision.
+void ConjugateGradients::improve(const Preconditioner& precondition, const Row& norms) {
+  const Row ones = Row::Ones(norms.size()), zero = Row::Zero(norms.size());
+  step_.setZero();
+  combine(step_, zero, residual_, quotient<Row>(ones, norms));
+  precondition(step_);
+  combine(step_, norms, residual_, zero);
+}
+
+Status ConjugateGradients::descend(const SparseMatrix& A, const Preconditioner& precondition, const Limits& limits,
+                                   int& iterations) {
+  const Index columns = static_cast<Index>(rhs_.cols());
+  const Row ones = Row::Ones(columns);
+  direction_.setZero(), image_.setZero();
+  Row length = Row::Zero(columns), descent = Row::Zero(columns);  // α and R·Z of the iteration before
+  for (; iterations < limits.iterations; ++iterations) {
+    const Row norms = openNorms(limits.residual);
+    if (norms.isZero(0)) break;
+    improve(precondition, norms);
+    // β of Polak and Ribière, Z·(R − R_before) / (R·Z)_before: with a rounded preconditioner that of Fletcher and
+    // Reeves would carry the rounding of every step into the next. R − R_before is −α Q.
+    const Row beta = -ofOpen<Row>(norms, quotient<Row>(length.cwiseProduct(dot<Row>(step_, image_)), descent));
+    descent = dot<Row>(residual_, step_);
+    combine(direction_, beta, step_, ones);
+    multiply(A, direction_, image_);
+    const Row curvature = dot<Row>(direction_, image_);
+    for (Index c = 0; c < columns; ++c) {
+      if (norms[c] != 0 && !(curvature[c] > 0 && std::isfinite(curvature[c]))) return notDefinite();
+    }
+    length = ofOpen<Row>(norms, quotient<Row>(dot<Row>(direction_, residual_), curvature));
+    combine(solution_, ones, direction_, length);
+    combine(residual_, ones, image_, Row(-length));
+  }
   return {};
 }
 

@@ -1,159 +1,147 @@
 #include "linear/sparse_cholesky.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
-#include "base/tiering.h"
+#include "linear/numeric_factorization.h"
 
 namespace whittle {
 
 namespace {
 
-/// Pivots that cancellation has eaten (rounding leaves some multiples of ε) say only that the matrix is singular to working
-/// precision; those out of range would overflow in single precision.
-bool arePivotsSound(const double* factor, Index stride, const double* diagonal, Index columns) {
-  constexpr double kNoise = 64 * std::numeric_limits<double>::epsilon();
-  for (Index j = 0; j < columns; ++j) {
-    const double pivot = factor[static_cast<std::ptrdiff_t>(j) * stride];  // its square root
-    if (!(pivot * pivot > kNoise * diagonal[j] && pivot > 1e-30 && pivot < 1e30)) return false;
-  }
-  return true;
+constexpr Index kLanes = 3;  // right-hand sides in a row of lanes
+
+/// @param columns at most three; those that are missing are zero
+void toLanes(Columns columns, const std::vector<Index>& rowOf, LaneRow* rows) {
+  const Index count = columns.count();
+  const auto number = [&](Index i, Index c) { return c < count ? static_cast<float>(columns(i, c)) : 0.0f; };
+  for (Index i = 0; i < columns.rows(); ++i) rows[rowOf[i]] = {number(i, 0), number(i, 1), number(i, 2), 0};
 }
 
-/// Counts, by columns of L, the entries of a column of A's lower triangle.
-WHITTLE_OWN_FUNCTION void countEntries(const SparseMatrix& A, Index column, const Index* newOf, Index* counts) {
-  for (Index p = A.outerIndexPtr()[column]; p < A.outerIndexPtr()[column + 1]; ++p) {
-    const Index row = A.innerIndexPtr()[p];
-    if (row >= column) ++counts[std::min(newOf[row], newOf[column])];
+void fromLanes(const LaneRow* rows, const std::vector<Index>& rowOf, Columns columns) {
+  constexpr float LaneRow::*kLane[kLanes] = {&LaneRow::x, &LaneRow::y, &LaneRow::z};
+  for (Index c = 0; c < columns.count(); ++c) {
+    for (Index i = 0; i < columns.rows(); ++i) columns(i, c) = rows[rowOf[i]].*kLane[c];
   }
 }
 
 }  // namespace
 
-void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering) {
+/// Supernodal and multifrontal: all arithmetic is on dense panels.
+struct SparseCholesky::Parts {
+  Supernodes supernodes;
+  EntryPlaces entries;
+  PackedFactor factor;
+  NumericFactorization numeric{supernodes, entries, factor};
+
+  // While an analysis goes on
+  enum class Stage { supernodes, factor, entries, done } stage = Stage::done;
+  const SparseMatrix* pattern = nullptr;
+  std::optional<SupernodeAnalysis> symbolic;
+
+  std::vector<Index> rowOf;  // row of lanes of each unknown
+  Index spare = 0;
+  Index rowCount = 0;  // the spare one included
+  LaneRows lanes;      // groups of `rowCount` rows, each of three right-hand sides
+  ConjugateGradients gradients;
+
+  void solveTogether(Columns X);
+};
+
+SparseCholesky::SparseCholesky() : parts_(std::make_unique<Parts>()) {}
+SparseCholesky::~SparseCholesky() = default;
+SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
+SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
+
+void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& ordering) {
   const Index unknowns = static_cast<Index>(A.cols());
   std::vector<Index> rowOf(unknowns);
   std::iota(rowOf.begin(), rowOf.end(), 0);
-  analyze(A, ordering, rowOf, unknowns);
-  rhs_.assign(unknowns + 1, {});
+  beginAnalyze(A, ordering, std::move(rowOf), unknowns);
+  parts_->lanes.assign(unknowns + 1, {});
 }
 
-void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering, const std::vector<Index>& rowOf, Index spare) {
-  supernodes_ = analyzeSupernodes(A, ordering);
-  placeRows(rowOf, spare);
-  placeEntries(A);
-  measureStack();
+void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& ordering, std::vector<Index> rowOf, Index spare) {
+  parts_->rowCount = 1 + std::max(spare, rowOf.empty() ? 0 : *std::max_element(rowOf.begin(), rowOf.end()));
+  parts_->rowOf = std::move(rowOf);
+  parts_->spare = spare;
+  parts_->pattern = &A;
+  parts_->symbolic.emplace(A, ordering);
+  parts_->stage = Parts::Stage::supernodes;
 }
 
-void SparseCholesky::placeRows(const std::vector<Index>& rowOf, Index spare) {
-  std::vector<Index> rowAt(rowOf.size());
-  for (std::size_t unknown = 0; unknown < rowOf.size(); ++unknown) rowAt[supernodes_.newOf[unknown]] = rowOf[unknown];
-  Index mostTiles = 0, mostColumns = 0;
-  paddedRows_.clear();
-  paddedStart_.assign(1, 0);
-  tileStart_.assign(1, 0);
-  for (Index s = 0; s < supernodes_.count(); ++s) {
-    const Index* rows = supernodes_.rowsOf(s);
-    const Index tiles = (supernodes_.height(s) + 3) / 4;
-    for (Index i = 0; i < supernodes_.height(s); ++i) paddedRows_.push_back(rowAt[rows[i]]);
-    paddedStart_.push_back(paddedStart_.back() + 4 * tiles);
-    paddedRows_.resize(paddedStart_.back(), spare);
-    tileStart_.push_back(tileStart_.back() + static_cast<std::size_t>(tiles) * supernodes_.columns(s));
-    mostTiles = std::max(mostTiles, tiles);
-    mostColumns = std::max(mostColumns, supernodes_.columns(s));
+double SparseCholesky::analyzeNext(double work) {
+  using Stage = Parts::Stage;
+  constexpr double kSupernodes = 0.7, kFactor = 0.85;  // shares that are done after these
+  Parts& parts = *parts_;
+  switch (parts.stage) {
+    case Stage::supernodes: {
+      const double share = parts.symbolic->next(work);
+      if (share < 1) return share * kSupernodes;
+      parts.supernodes = parts.symbolic->take();
+      parts.symbolic.reset();
+      parts.stage = Stage::factor;
+      return kSupernodes;
+    }
+    case Stage::factor:
+      parts.factor.shape(parts.supernodes, parts.rowOf, parts.spare);
+      parts.stage = Stage::entries;
+      return kFactor;
+    case Stage::entries:
+      parts.entries = EntryPlaces(*parts.pattern, parts.supernodes);
+      parts.numeric.measure();
+      parts.stage = Stage::done;
+      break;
+    case Stage::done: break;
   }
-  tiles_.resize(tileStart_.back());
-  diagonal_.resize(mostColumns);
-  scratch_.assign(std::max(3 * mostTiles, mostColumns), {});
+  return 1;
 }
 
-void SparseCholesky::placeEntries(const SparseMatrix& A) {
-  const Index n = static_cast<Index>(A.cols());
-  // By columns of L first. Two ahead, so that filling them in leaves where each begins.
-  std::vector<Index> start(n + 2, 0);
-  for (Index column = 0; column < n; ++column) countEntries(A, column, supernodes_.newOf.data(), start.data() + 2);
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  entries_.resize(start.back());
-  for (Index column = 0; column < n; ++column) sortEntries(A, column, start.data() + 1);
-
-  std::vector<Index> placeOf(n);
-  entryStart_.assign(1, 0);
-  for (Index s = 0; s < supernodes_.count(); ++s) {
-    placeInPanel(s, start.data(), placeOf.data());
-    entryStart_.push_back(start[supernodes_.columnStart[s + 1]]);
-  }
+void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering) {
+  beginAnalyze(A, ordering);
+  while (analyzeNext() < 1) {}
 }
 
-/// Puts the entries of a column of A's lower triangle behind those that the columns of L have already, with their rows for places.
-WHITTLE_OWN_FUNCTION void SparseCholesky::sortEntries(const SparseMatrix& A, Index column, Index* ends) {
-  const Index* const newOf = supernodes_.newOf.data();
-  for (Index p = A.outerIndexPtr()[column]; p < A.outerIndexPtr()[column + 1]; ++p) {
-    if (A.innerIndexPtr()[p] < column) continue;
-    const auto [target, row] = std::minmax(newOf[column], newOf[A.innerIndexPtr()[p]]);
-    entries_[ends[target]++] = {p, row};
-  }
-}
+void SparseCholesky::beginFactorize(const SparseMatrix& A, bool keepWorkspace) { parts_->numeric.begin(A, keepWorkspace); }
 
-/// From rows to places in a panel.
-/// @param start first entry of each column of L, and their end
-WHITTLE_OWN_FUNCTION void SparseCholesky::placeInPanel(Index s, const Index* start, Index* placeOf) {
-  const Index* const rows = supernodes_.rowsOf(s);
-  const Index height = supernodes_.height(s), first = supernodes_.columnStart[s];
-  for (Index r = 0; r < height; ++r) placeOf[rows[r]] = r;
-  for (Index j = 0; j < supernodes_.columns(s); ++j) {
-    for (Index e = start[first + j]; e < start[first + j + 1]; ++e) entries_[e].place = placeOf[entries_[e].place] + j * height;
-  }
-}
-
-void SparseCholesky::measureStack() {
-  peakUpdates_ = 0;
-  std::size_t stack = 0;
-  std::vector<std::size_t> ofChildren(supernodes_.count(), 0);
-  for (Index s = 0; s < supernodes_.count(); ++s) {
-    const std::size_t update = static_cast<std::size_t>(updateSize(s)) * updateSize(s);
-    peakUpdates_ = std::max(peakUpdates_, stack + update);
-    stack += update - ofChildren[s];
-    if (supernodes_.parent[s] >= 0) ofChildren[supernodes_.parent[s]] += update;
-  }
-}
+Status SparseCholesky::factorizeNext(double& share, double work) { return parts_->numeric.next(share, work); }
 
 Status SparseCholesky::factorize(const SparseMatrix& A, bool keepWorkspace) {
-  work_.begin(supernodes_, peakUpdates_);
-  const bool definite = eliminate(A);
-  if (!keepWorkspace) work_ = {};
-  if (definite) return {};
-  return Status::failure(Code::numericalFailure,
-                         "the linear system is not positive definite; the mesh may hold faces too thin to compute with");
+  beginFactorize(A, keepWorkspace);
+  Status status;
+  for (double share = 0; share < 1;) status = factorizeNext(share);
+  return status;
 }
 
-bool SparseCholesky::eliminate(const SparseMatrix& A) {
-  for (Index s = 0; s < supernodes_.count(); ++s) {
-    double* front = work_.open(s);
-    for (Index e = entryStart_[s]; e < entryStart_[s + 1]; ++e) front[entries_[e].place] += A.valuePtr()[entries_[e].value];
-    const Index columns = supernodes_.columns(s), stride = supernodes_.height(s) + 1;
-    for (Index j = 0; j < columns; ++j) diagonal_[j] = front[static_cast<std::ptrdiff_t>(j) * stride];
-    if (!work_.eliminate(s) || !arePivotsSound(front, stride, diagonal_.data(), columns)) return false;
-    packTiles(work_.inverted(s), supernodes_.height(s), columns, tiles_.data() + tileStart_[s]);
+void SparseCholesky::solve(LaneRow* rows) { parts_->factor.solve(rows); }
+
+void SparseCholesky::solve(Columns X) {
+  for (Index first = 0; first < X.count(); first += ConjugateGradients::kBatch) {
+    parts_->solveTogether(X.part(first, std::min(ConjugateGradients::kBatch, X.count() - first)));
   }
-  return true;
 }
 
-SolvePanel SparseCholesky::solvePanel(Index s) const {
-  return {tiles_.data() + tileStart_[s], paddedRows_.data() + paddedStart_[s], supernodes_.columns(s), supernodes_.height(s)};
+void SparseCholesky::Parts::solveTogether(Columns X) {
+  const Index groups = (X.count() + kLanes - 1) / kLanes;
+  const std::size_t needed = static_cast<std::size_t>(groups) * rowCount;
+  if (lanes.size() < needed) lanes.resize(needed);
+  const auto eachGroup = [&](auto&& take) {
+    for (Index g = 0; g < groups; ++g) {
+      const Index first = kLanes * g;
+      take(X.part(first, std::min(kLanes, X.count() - first)), lanes.data() + static_cast<std::size_t>(g) * rowCount);
+    }
+  };
+  eachGroup([&](Columns columns, LaneRow* rows) { toLanes(columns, rowOf, rows); });
+  factor.solve(lanes.data(), groups, rowCount);
+  eachGroup([&](Columns columns, const LaneRow* rows) { fromLanes(rows, rowOf, columns); });
 }
 
-void SparseCholesky::solve(Points& rhs) {
-  for (Index i = 0; i < rhs.rows(); ++i) {
-    rhs_[i] = {static_cast<float>(rhs(i, 0)), static_cast<float>(rhs(i, 1)), static_cast<float>(rhs(i, 2)), 0};
-  }
-  solve(rhs_.data());
-  for (Index i = 0; i < rhs.rows(); ++i) rhs.row(i) << rhs_[i].x, rhs_[i].y, rhs_[i].z;
-}
-
-void SparseCholesky::solve(LaneRow* rows) {
-  for (Index s = 0; s < supernodes_.count(); ++s) panelForward(solvePanel(s), rows, scratch_.data());
-  for (Index s = supernodes_.count() - 1; s >= 0; --s) panelBackward(solvePanel(s), rows, scratch_.data());
+Status SparseCholesky::solveRefined(const SparseMatrix& A, ConstColumns B, Columns X,
+                                    const ConjugateGradients::Limits& limits, ConjugateGradients::Report* report) {
+  ConjugateGradients::Report unread;
+  return parts_->gradients.solve(A, [this](Columns R) { solve(R); }, B, X, limits, report ? *report : unread);
 }
 
 }  // namespace whittle

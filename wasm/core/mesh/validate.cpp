@@ -32,9 +32,9 @@ Status checkIndices(const TriangleMesh& mesh) {
       const Index v = mesh.triangles(f, k);
       if (v >= 0 && v < mesh.vertexCount()) continue;
       return Status::failure(Code::indexOutOfRange,
-                             "face " + std::to_string(f) + " uses vertex " + std::to_string(v) + ", but there are only " +
+                             "face {} uses vertex " + std::to_string(v) + ", but there are only " +
                                  std::to_string(mesh.vertexCount()) + "; the file may have been cut off",
-                             f);
+                             Element::face(f));
     }
   }
   return {};
@@ -43,8 +43,7 @@ Status checkIndices(const TriangleMesh& mesh) {
 Status checkPositions(const TriangleMesh& mesh) {
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     if (mesh.positions.row(v).allFinite()) continue;
-    return Status::failure(Code::notFinite,
-                           "vertex " + std::to_string(v) + " has a coordinate that is not a number; repair or remove it", v);
+    return Status::failure(Code::notFinite, "vertex {} has a coordinate that is not a number; repair or remove it", Element::vertex(v));
   }
   const Vec3 extent = boundingBox(mesh.positions).sizes();
   if (!extent.allFinite() || extent.squaredNorm() > 1e300) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "methods/method.h"
 
@@ -12,9 +13,7 @@ const std::vector<MethodInfo>& methodRegistry();
 /// The line of a method, or nullptr.
 const MethodInfo* findMethod(const std::string& id);
 
-/// The registry as JSON, for TypeScript to hold against its descriptors:
-/// [{"id", "parameters": [{"name", "kind", "invalidates", "default", "min", "max", "choices", "maxRows"}]}], each only where it applies;
-/// the default of a choice is its name, that of a flag true or false.
+/// The registry as JSON, for TypeScript to hold against its descriptors: [{"id", "parameters": what `ParameterValues::describe` says}].
 std::string describeMethods();
 
 }  // namespace whittle

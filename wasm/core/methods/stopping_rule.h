@@ -9,16 +9,13 @@ namespace whittle {
 
 /// When a local/global iteration ends: a quantity below the tolerance, the iteration limit, or an energy that has long stopped
 /// falling. The quantity is
-/// - displacement: the longest move of an iteration as a share of the longest way from rest (2019, §3.1);
+/// - displacement: the longest move of an iteration as a share of the largest displacement from rest (2019, §3.1);
 /// - energy: the decrease of two iterations in a row, each as a share of the energy before it (accelerated iterations that turn
 ///   back decrease it little, once);
 /// - iterations: none. Of an energy that changes with the output only the limit ends the run, or a shape at rest.
 class StoppingRule {
  public:
   enum class Quantity { displacement, energy, iterations };
-
-  /// The parameter that chooses among the first two.
-  static ParameterInfo parameter() { return choiceParameter("stopOn", Stale::targets, {"displacement", "energy"}); }
 
   Quantity quantity = Quantity::displacement;
   double tolerance = 3e-3;
@@ -32,10 +29,10 @@ class StoppingRule {
     smallDecreases_ = 0;
   }
 
-  /// The longest move of an iteration as a share of the longest way from rest, of their squares in the unit frame; 0 where the shape is at
+  /// The longest move of an iteration as a share of the largest displacement, from their squares in the unit frame; 0 where the shape is at
   /// rest.
-  static double relativeDisplacement(double squaredMove, double squaredWay) {
-    return squaredMove <= kNoMove * kNoMove ? 0 : std::sqrt(squaredMove / squaredWay);
+  static double relativeDisplacement(double squaredMove, double squaredDisplacement) {
+    return squaredMove <= kNoMove * kNoMove ? 0 : std::sqrt(squaredMove / squaredDisplacement);
   }
 
   bool exhausted() const { return iterations_ >= maxIterations; }

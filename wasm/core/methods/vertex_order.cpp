@@ -27,55 +27,30 @@ Graph edgeGraph(const TriangleMesh& mesh) {
   return graphOf(mesh.vertexCount(), edges);
 }
 
-/// @param moved where a vertex goes
-/// @param from where the vertex comes from that is to stand at a place
-template <typename Moved, typename From>
-TriangleMesh renumbered(const TriangleMesh& mesh, const Moved& moved, const From& from) {
-  TriangleMesh result{Points(mesh.vertexCount(), 3), Triangles(mesh.faceCount(), 3)};
-  for (Index v = 0; v < mesh.vertexCount(); ++v) result.positions.row(v) = mesh.positions.row(from(v));
-  for (Index i = 0; i < mesh.triangles.size(); ++i) result.triangles.data()[i] = moved(mesh.triangles.data()[i]);
-  return result;
+/// Triangles whose vertices have moved to other places.
+template <typename Moved>
+Triangles renumbered(Triangles triangles, const Moved& moved) {
+  for (Index corner = 0; corner < triangles.size(); ++corner) triangles.data()[corner] = moved(triangles.data()[corner]);
+  return triangles;
 }
 
 }  // namespace
 
-Numbering::Numbering(std::vector<Index> order) : vertexAt_(std::move(order)), placeOf_(vertexAt_.size()) {
+VertexOrder::VertexOrder(std::vector<Index> order) : vertexAt_(std::move(order)), placeOf_(vertexAt_.size()) {
   for (std::size_t place = 0; place < vertexAt_.size(); ++place) placeOf_[vertexAt_[place]] = static_cast<Index>(place);
 }
 
-Numbering Numbering::of(const TriangleMesh& mesh) {
+VertexOrder VertexOrder::of(const TriangleMesh& mesh) {
   const Graph graph = edgeGraph(mesh);
-  return Numbering(eliminationTree(graph, eliminationOrder(graph, &mesh.positions)).order);
+  return VertexOrder(eliminationTree(graph, eliminationOrder(graph, &mesh.positions)).order);
 }
 
-TriangleMesh Numbering::ordered(const TriangleMesh& mesh) const {
-  if (isFileOrder()) return mesh;
-  return renumbered(mesh, [&](Index v) { return placeOf_[v]; }, [&](Index place) { return vertexAt_[place]; });
+TriangleMesh VertexOrder::ordered(const TriangleMesh& mesh) const {
+  return {orderedRows(mesh.positions), renumbered(mesh.triangles, [&](Index v) { return placeOf(v); })};
 }
 
-TriangleMesh Numbering::inFileOrder(const TriangleMesh& mesh) const {
-  if (isFileOrder()) return mesh;
-  return renumbered(mesh, [&](Index place) { return vertexAt_[place]; }, [&](Index v) { return placeOf_[v]; });
-}
-
-Settings Numbering::ordered(const Settings& settings, const std::vector<ParameterInfo>& infos) const {
-  Settings result = settings;
-  if (isFileOrder()) return result;
-  for (std::size_t p = 0; p < infos.size(); ++p) {
-    const Scalars& values = settings.scalars[p];
-    if (infos[p].kind == ParameterKind::scalars) result.scalars[p] = ordered(values, 1);
-    if (infos[p].kind == ParameterKind::rotations) result.scalars[p] = ordered(values, 4);
-  }
-  for (Index& v : result.handles.vertices) v = placeOf_[v];
-  return result;
-}
-
-Scalars Numbering::ordered(const Scalars& ofVertices, Index numbersEach) const {
-  Scalars result(ofVertices.size());
-  for (Index place = 0; place * numbersEach < ofVertices.size(); ++place) {
-    result.segment(place * numbersEach, numbersEach) = ofVertices.segment(vertexAt_[place] * numbersEach, numbersEach);
-  }
-  return result;
+TriangleMesh VertexOrder::asLoaded(const TriangleMesh& mesh) const {
+  return {rowsAsLoaded(mesh.positions), renumbered(mesh.triangles, [&](Index place) { return vertexAt(place); })};
 }
 
 }  // namespace whittle

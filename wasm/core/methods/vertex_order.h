@@ -3,33 +3,46 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
-#include "methods/parameters.h"
 
 namespace whittle {
 
-/// The order in which the methods have the vertices. It is an elimination order: sparse factors stay sparse, and what the loops read
-/// together lies together. Faces stay as the file has them.
-class Numbering {
+/// The order in which the methods have the vertices: an elimination order, in which sparse factors stay sparse and what the loops read
+/// together lies together. Faces stay as they were loaded.
+class VertexOrder {
  public:
-  /// The file's own.
-  Numbering() = default;
-  /// @param order place → vertex of the file
-  explicit Numbering(std::vector<Index> order);
-  /// A good one for a mesh, the same everywhere.
-  static Numbering of(const TriangleMesh& mesh);
+  /// The order in which the vertices were loaded.
+  VertexOrder() = default;
+  /// @param order place → vertex as loaded
+  explicit VertexOrder(std::vector<Index> order);
+  /// A good order for a mesh, the same everywhere.
+  static VertexOrder of(const TriangleMesh& mesh);
 
-  bool isFileOrder() const { return vertexAt_.empty(); }
-  /// Vertex of the file.
-  Index vertexAt(Index place) const { return isFileOrder() ? place : vertexAt_[place]; }
+  bool isAsLoaded() const { return vertexAt_.empty(); }
+  /// The vertex, as loaded, at a place of this order.
+  Index vertexAt(Index place) const { return isAsLoaded() ? place : vertexAt_[place]; }
+  Index placeOf(Index vertex) const { return isAsLoaded() ? vertex : placeOf_[vertex]; }
 
   TriangleMesh ordered(const TriangleMesh& mesh) const;
-  TriangleMesh inFileOrder(const TriangleMesh& mesh) const;
-  /// What belongs to vertices in a method's settings.
-  Settings ordered(const Settings& settings, const std::vector<ParameterInfo>& infos) const;
+  TriangleMesh asLoaded(const TriangleMesh& mesh) const;
+
+  /// Rows of vertices as loaded (#V×n, or none) in this order.
+  template <typename Rows>
+  Rows orderedRows(const Rows& ofVertices) const {
+    if (isAsLoaded()) return ofVertices;
+    Rows result(ofVertices.rows(), ofVertices.cols());
+    for (Index place = 0; place < ofVertices.rows(); ++place) result.row(place) = ofVertices.row(vertexAt_[place]);
+    return result;
+  }
+  /// Rows in this order as loaded.
+  template <typename Rows>
+  Rows rowsAsLoaded(const Rows& ofPlaces) const {
+    if (isAsLoaded()) return ofPlaces;
+    Rows result(ofPlaces.rows(), ofPlaces.cols());
+    for (Index place = 0; place < ofPlaces.rows(); ++place) result.row(vertexAt_[place]) = ofPlaces.row(place);
+    return result;
+  }
 
  private:
-  Scalars ordered(const Scalars& ofVertices, Index numbersEach) const;
-
   std::vector<Index> vertexAt_;
   std::vector<Index> placeOf_;
 };

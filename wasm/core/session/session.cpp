@@ -4,10 +4,11 @@
 
 namespace whittle {
 
-Status Session::load(TriangleMesh mesh) {
+Status Session::load(TriangleMesh mesh, std::vector<Index> sourceVertices) {
   *this = Session();
+  sourceVertices_ = std::move(sourceVertices);
   Status status = validate(mesh);
-  if (!status.ok()) return status;
+  if (!status.ok()) return inFileNumbers(status);
 
   report_ = inspect(mesh);
   filePositions_ = mesh.positions;
@@ -20,14 +21,24 @@ Status Session::load(TriangleMesh mesh) {
   return {};
 }
 
+Status Session::inFileNumbers(const Status& status) const {
+  if (status.ok() || status.element.kind == Element::Kind::none) return status;
+  const Index index = status.element.index;
+  const bool isMapped = status.element.kind == Element::Kind::vertex && index >= 0 && index < static_cast<Index>(sourceVertices_.size());
+  return status.numbered(isMapped ? sourceVertices_[index] : index);
+}
+
 Status Session::select(const std::string& method) {
   if (rest_.faceCount() == 0) return Status::failure(Code::noFaces, "no mesh is loaded");
   const MethodInfo* info = findMethod(method);
   if (!info) return Status::failure(Code::unknownMethod, "there is no method \"" + method + "\"");
   if (info == info_) return {};
+  preparation_.reset();
   info_ = info;
   method_ = info->create();
-  settings_ = Settings::defaults(info->parameters);
+  values_ = info->defaults();
+  ordered_ = info->defaults();
+  isOrderedOld_ = true;
   stale_ = Stale::all;
   return {};
 }
@@ -36,100 +47,80 @@ Status Session::requireMethod() const {
   return info_ ? Status{} : Status::failure(Code::unknownMethod, "no method is chosen");
 }
 
-template <typename Fits>
-Status Session::find(const std::string& parameter, Fits fits, std::size_t& place) const {
+Status Session::set(const std::string& parameter, const RawValue& value) {
   if (Status status = requireMethod(); !status.ok()) return status;
-  for (place = 0; place < info_->parameters.size(); ++place) {
-    const ParameterInfo& info = info_->parameters[place];
-    if (parameter == info.name && fits(info)) return {};
-  }
-  return Status::failure(Code::badParameter, std::string(info_->id) + " has no parameter \"" + parameter + "\" of this kind");
-}
-
-Status Session::setNumber(const std::string& parameter, double value) {
-  std::size_t p;
-  if (Status status = find(parameter, [](const auto& info) { return info.isNumber(); }, p); !status.ok()) return status;
-  const ParameterInfo& info = info_->parameters[p];
-  Status status = validateNumber(info, value);
-  if (!status.ok() || settings_.numbers[p] == value) return status;
-  settings_.numbers[p] = value;
-  markStale(info.invalidates);
+  Stale made = Stale::nothing;
+  const Status status = values_->set(parameter, value, {rest_.vertexCount(), rest_.faceCount(), frame_}, made);
+  if (!status.ok()) return inFileNumbers(status);
+  if (made != Stale::nothing) markStale(made);
   return {};
 }
 
-Status Session::setScalars(const std::string& parameter, const Scalars& values) {
-  std::size_t p;
-  if (Status status = find(parameter, [](const auto& info) { return info.isScalars(); }, p); !status.ok()) return status;
-  const ParameterInfo& info = info_->parameters[p];
-  Status status = validateScalars(info, values, rest_.vertexCount());
-  if (!status.ok()) return status;
-  Scalars& present = settings_.scalars[p];
-  if (present.size() == values.size() && present == values) return {};
-  present = values;
-  markStale(info.invalidates);
-  return {};
-}
-
-Status Session::setStyle(const std::string& parameter, const std::optional<GaussMapData>& data) {
-  std::size_t p;
-  const auto fits = [](const auto& info) { return info.kind == ParameterKind::style; };
-  if (Status status = find(parameter, fits, p); !status.ok()) return status;
-  const bool isSame = settings_.style ? data && settings_.style->data() == *data : !data;
-  if (isSame) return {};
-  if (data) {
-    if (Status status = validateGaussMap(*data); !status.ok()) return status;
-  }
-  settings_.style = data ? std::make_shared<const GaussMap>(*data) : nullptr;
-  markStale(info_->parameters[p].invalidates);
-  return {};
-}
-
-Status Session::setRelief(const std::string& parameter, std::optional<Relief> relief) {
-  std::size_t p;
-  const auto fits = [](const auto& info) { return info.kind == ParameterKind::relief; };
-  if (Status status = find(parameter, fits, p); !status.ok()) return status;
-  const bool isSame = settings_.relief ? relief && *settings_.relief == *relief : !relief;
-  if (isSame) return {};
-  if (relief) {
-    if (Status status = validateRelief(*relief, rest_.faceCount()); !status.ok()) return status;
-  }
-  settings_.relief = relief ? std::make_shared<const Relief>(std::move(*relief)) : nullptr;
-  markStale(info_->parameters[p].invalidates);
-  return {};
-}
-
-Status Session::setHandles(Handles handles) {
-  if (Status status = requireMethod(); !status.ok()) return status;
-  Status status = validateHandles(handles, rest_.vertexCount());
-  if (!status.ok()) return status;
-  for (Index h = 0; h < handles.targets.rows(); ++h) {
-    handles.targets.row(h) = frame_.toUnit(handles.targets.row(h).transpose()).transpose();
-  }
-  // Other targets for the same vertices leave the factorization as it is.
-  markStale(handles.vertices == settings_.handles.vertices ? Stale::targets : Stale::system);
-  settings_.handles = std::move(handles);
-  return {};
+void Session::markStale(Stale level) {
+  isOrderedOld_ = true;
+  // What a preparation has not come to it reads when it does.
+  if (preparation_ && level >= preparation_->stale()) preparation_.reset();
+  stale_ = std::max(stale_, level);
 }
 
 void Session::restart() { positions_ = rest_.positions; }
 
-void Session::number() {
-  numbering_ = Numbering::of(rest_);
-  rest_ = numbering_.ordered(rest_);
-  restart();
+void Session::orderVertices() {
+  vertexOrder_ = VertexOrder::of(rest_);
+  rest_ = vertexOrder_.ordered(rest_);
+  positions_ = vertexOrder_.orderedRows(positions_);
+  isOrderedOld_ = true;
+}
+
+Status Session::acceptMesh() const { return info_->acceptsMesh(vertexOrder_.asLoaded(rest_)); }
+
+void Session::beginPreparing() {
+  Plan plan(stale_);
+  if (info_->acceptsMesh) plan.add(Stale::all, "checking the mesh", 5, [this] { return acceptMesh(); });
+  if (vertexOrder_.isAsLoaded()) plan.add(Stale::all, "ordering the vertices", 40, [this] { orderVertices(); });
+  preparation_.emplace(plan.add(method_->plan(rest_, *ordered_, stale_)).stages());
+}
+
+Status Session::refreshValues() {
+  if (!isOrderedOld_) return {};
+  if (Status status = method_->check(*values_); !status.ok()) return status;
+  ordered_->takeOrdered(*values_, vertexOrder_);
+  isOrderedOld_ = false;
+  return {};
+}
+
+Status Session::prepareNext(double& share) {
+  share = 0;
+  if (Status status = requireMethod(); !status.ok()) return status;
+  if (stale_ != Stale::nothing) {
+    if (Status status = refreshValues(); !status.ok()) return inFileNumbers(status);
+    if (!preparation_) beginPreparing();
+    if (Status status = preparation_->advance(); !status.ok()) {
+      preparation_.reset();
+      return inFileNumbers(status);
+    }
+    stale_ = preparation_->stale();
+    share = preparation_->share();
+    if (!preparation_->isDone()) return {};
+    preparation_.reset();
+  }
+  share = 1;
+  method_->begin(positions_);
+  return {};
 }
 
 Status Session::prepare() {
-  if (Status status = requireMethod(); !status.ok()) return status;
-  if (stale_ == Stale::all && info_->suits) {
-    if (Status status = info_->suits(numbering_.inFileOrder(rest_)); !status.ok()) return status;
+  double share = 0;
+  while (share < 1) {
+    if (Status status = prepareNext(share); !status.ok()) return status;
   }
-  if (numbering_.isFileOrder()) number();
-  Status status = method_->prepare(rest_, numbering_.ordered(settings_, info_->parameters), stale_);
-  if (!status.ok()) return status;
-  stale_ = Stale::nothing;
-  method_->begin(positions_);
   return {};
+}
+
+const char* Session::stage() {
+  if (!info_ || stale_ == Stale::nothing) return "";
+  if (!preparation_) beginPreparing();
+  return preparation_->doing();
 }
 
 Status Session::step(StepReport& report) {
@@ -140,10 +131,30 @@ Status Session::step(StepReport& report) {
   return method_->step(positions_, report);
 }
 
+std::vector<std::string> Session::warnings() const {
+  return info_ ? method_->warnings(*values_) : std::vector<std::string>{};
+}
+
+std::vector<Field> Session::fields() const {
+  return info_ && stale_ == Stale::nothing ? method_->fields() : std::vector<Field>{};
+}
+
+Status Session::copyField(const std::string& name, double* into) const {
+  for (const Field& field : fields()) {
+    if (name != field.name) continue;
+    const bool isPerVertex = field.per == Field::Per::vertex;
+    Scalars values(isPerVertex ? rest_.vertexCount() : rest_.faceCount());
+    field.write(values);
+    Eigen::Map<Scalars>(into, values.size()) = isPerVertex ? vertexOrder_.rowsAsLoaded(values) : values;
+    return {};
+  }
+  return Status::failure(Code::badParameter, "there is no field \"" + name + "\" to show");
+}
+
 void Session::copyPositions(double* into) const {
   Eigen::Map<Points> out(into, positions_.rows(), 3);
   for (Index place = 0; place < positions_.rows(); ++place) {
-    const Index v = numbering_.vertexAt(place);
+    const Index v = vertexOrder_.vertexAt(place);
     if (positions_.row(place) == rest_.positions.row(place)) {
       out.row(v) = filePositions_.row(v);
     } else {

@@ -123,7 +123,7 @@ inline SymmetricLanes plusOuter(const SymmetricLanes& A, Lanes s, const VectorLa
 }
 
 /// R − I, exactly zero for the identity.
-inline MatrixLanes turnOf(const QuaternionLanes& q) {
+inline MatrixLanes rotationChange(const QuaternionLanes& q) {
   const Lanes x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
   const Lanes xx = x2 * q.x, yy = y2 * q.y, zz = z2 * q.z, xy = x2 * q.y, xz = x2 * q.z, yz = y2 * q.z;
   const Lanes wx = x2 * q.w, wy = y2 * q.w, wz = z2 * q.w;
@@ -131,7 +131,7 @@ inline MatrixLanes turnOf(const QuaternionLanes& q) {
 }
 
 inline MatrixLanes toMatrix(const QuaternionLanes& q) {
-  MatrixLanes R = turnOf(q);
+  MatrixLanes R = rotationChange(q);
   for (int i = 0; i < 3; ++i) R.m[i][i] += splat(1);
   return R;
 }

@@ -22,7 +22,7 @@ Index badDirection(const Points& rows) {
   return -1;
 }
 
-Status refused(const std::string& what, Index element = -1) {
+Status refused(const std::string& what, Element element = {}) {
   return Status::failure(Code::badParameter, "the style's Gauss map " + what, element);
 }
 
@@ -38,9 +38,9 @@ bool operator==(const GaussMapData& a, const GaussMapData& b) {
 
 Status validateGaussMap(const GaussMapData& data) {
   if (data.normals.rows() == 0) return refused("has no normals");
-  if (const Index r = badDirection(data.normals); r >= 0) return refused("has no direction at normal " + std::to_string(r), r);
+  if (const Index r = badDirection(data.normals); r >= 0) return refused("has no direction at normal {}", Element::item(r));
   if (data.kind == GaussMapData::Kind::closest) return {};
-  if (const Index r = badDirection(data.points); r >= 0) return refused("has no direction at point " + std::to_string(r), r);
+  if (const Index r = badDirection(data.points); r >= 0) return refused("has no direction at point {}", Element::item(r));
   if (data.triangles.rows() == 0) return refused("has no triangles");
   if (data.triangles.minCoeff() < 0 || data.triangles.maxCoeff() >= data.points.rows()) {
     return refused("has a triangle that uses a point which is not there");

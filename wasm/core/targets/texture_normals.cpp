@@ -21,19 +21,19 @@ struct Spread {
 };
 
 /// Twice the area of a face in the texture, negative if mirrored; zero where it has none to speak of, or coordinates are missing.
-double spreadArea(const Relief& relief, Index f) {
-  const Pair first = relief.uvs.row(3 * f).transpose().cast<double>();
-  const Pair toSecond = relief.uvs.row(3 * f + 1).transpose().cast<double>() - first;
-  const Pair toThird = relief.uvs.row(3 * f + 2).transpose().cast<double>() - first;
+double spreadArea(const TextureSlopes& texture, Index f) {
+  const Pair first = texture.uvs.row(3 * f).transpose().cast<double>();
+  const Pair toSecond = texture.uvs.row(3 * f + 1).transpose().cast<double>() - first;
+  const Pair toThird = texture.uvs.row(3 * f + 2).transpose().cast<double>() - first;
   const double area = toSecond.x() * toThird.y() - toThird.x() * toSecond.y();
   return std::abs(area) > kNoSpread * (toSecond.squaredNorm() + toThird.squaredNorm()) ? area : 0;
 }
 
-Spread spreadOf(const TriangleMesh& mesh, const Relief& relief, Index f) {
-  const double area = spreadArea(relief, f);
+Spread spreadOf(const TriangleMesh& mesh, const TextureSlopes& texture, Index f) {
+  const double area = spreadArea(texture, f);
   if (area == 0) return {};
   const auto corner = [&](int k) -> Vec3 { return mesh.positions.row(mesh.triangles(f, k)).transpose(); };
-  const auto v = [&](int k) { return static_cast<double>(relief.uvs(3 * f + k, 1)); };
+  const auto v = [&](int k) { return static_cast<double>(texture.uvs(3 * f + k, 1)); };
   const double sign = area < 0 ? -1 : 1;
   return {sign * ((v(2) - v(0)) * (corner(1) - corner(0)) - (v(1) - v(0)) * (corner(2) - corner(0))), sign};
 }
@@ -48,40 +48,40 @@ Vec3 raised(const Vec3& normal, const Spread& spread, const Pair& slope) {
   return (normal - slope.x() * x - slope.y() * y).normalized();
 }
 
-Pair slopeAt(const Relief& relief, Index corner) { return relief.slopes.row(corner).transpose().cast<double>(); }
+Pair slopeAt(const TextureSlopes& texture, Index corner) { return texture.slopes.row(corner).transpose().cast<double>(); }
 
 }  // namespace
 
-bool operator==(const Relief& a, const Relief& b) {
-  // Missing coordinates are NaN, which equals nothing: such reliefs are taken for new ones.
+bool operator==(const TextureSlopes& a, const TextureSlopes& b) {
+  // Missing coordinates are NaN, which equals nothing: such textures are taken for new ones.
   const auto same = [](const auto& x, const auto& y) { return x.rows() == y.rows() && x == y; };
   return same(a.slopes, b.slopes) && same(a.uvs, b.uvs);
 }
 
-Status validateRelief(const Relief& relief, Index faceCount) {
-  if (relief.uvs.rows() != 3 * faceCount || relief.slopes.rows() != 3 * faceCount) {
+Status validateTextureSlopes(const TextureSlopes& texture, Index faceCount) {
+  if (texture.uvs.rows() != 3 * faceCount || texture.slopes.rows() != 3 * faceCount) {
     return Status::failure(Code::badParameter, "the texture must have coordinates and a slope for each corner of the mesh’s " +
                                                    std::to_string(faceCount) + " faces");
   }
-  if (!relief.slopes.allFinite()) return Status::failure(Code::badParameter, "a slope of the texture is not finite");
+  if (!texture.slopes.allFinite()) return Status::failure(Code::badParameter, "a slope of the texture is not finite");
   for (Index f = 0; f < faceCount; ++f) {
-    if (spreadArea(relief, f) != 0) return {};
+    if (spreadArea(texture, f) != 0) return {};
   }
   return Status::failure(Code::unsuitableMesh,
                          "the texture coordinates of all faces are single points or lines, so no picture can lie on them; unwrap the "
                          "mesh and export it again");
 }
 
-Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, const Relief& relief, double strength) {
+Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, const TextureSlopes& texture, double strength) {
   const Scalars areas = faceAreas(mesh.positions, mesh.triangles);
   Points sums = Points::Zero(normals.rows(), 3);
   std::vector<bool> isRaised(static_cast<std::size_t>(normals.rows()), false);
   for (Index f = 0; f < mesh.faceCount(); ++f) {
-    const Spread spread = spreadOf(mesh, relief, f);
+    const Spread spread = spreadOf(mesh, texture, f);
     if (spread.alongU.isZero(0)) continue;
     for (int k = 0; k < 3; ++k) {
       const Index v = mesh.triangles(f, k);
-      const Pair slope = strength * slopeAt(relief, 3 * f + k);
+      const Pair slope = strength * slopeAt(texture, 3 * f + k);
       if (!slope.isZero(0)) isRaised[static_cast<std::size_t>(v)] = true;
       sums.row(v) += areas[f] * raised(normals.row(v).transpose(), spread, slope).transpose();
     }
@@ -93,13 +93,13 @@ Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, cons
   return sums;
 }
 
-Points raisedFaceNormals(const TriangleMesh& mesh, const Points& normals, const Relief& relief, double strength) {
+Points raisedFaceNormals(const TriangleMesh& mesh, const Points& normals, const TextureSlopes& texture, double strength) {
   Points targets = normals;
   for (Index f = 0; f < mesh.faceCount(); ++f) {
-    const Pair sum = slopeAt(relief, 3 * f) + slopeAt(relief, 3 * f + 1) + slopeAt(relief, 3 * f + 2);
+    const Pair sum = slopeAt(texture, 3 * f) + slopeAt(texture, 3 * f + 1) + slopeAt(texture, 3 * f + 2);
     const Pair slope = strength / 3 * sum;
     if (slope.isZero(0)) continue;
-    const Vec3 target = raised(normals.row(f).transpose(), spreadOf(mesh, relief, f), slope);
+    const Vec3 target = raised(normals.row(f).transpose(), spreadOf(mesh, texture, f), slope);
     if (!target.isZero(0)) targets.row(f) = target.transpose();
   }
   return targets;

@@ -11,13 +11,13 @@ using namespace whittle::testing;
 
 namespace {
 
-enum Step { exact, admm };
-enum Acceleration { nesterov, relaxed, none };
+const std::string exact = "exact", admm = "admm";
+const std::string nesterov = "nesterov", relaxed = "relaxed", none = "none";
 
 struct Setup {
   double lambda = 0.4;
-  Step localStep = exact;
-  Acceleration acceleration = nesterov;
+  std::string localStep = exact;
+  std::string acceleration = nesterov;
   double tolerance = 3e-3;
   int maxIterations = 1000;
   Handles handles = {};
@@ -32,12 +32,12 @@ struct Run {
 void open(Session& session, const TriangleMesh& mesh, const Setup& setup) {
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("cubic").ok());
-  REQUIRE(session.setNumber("lambda", setup.lambda).ok());
-  REQUIRE(session.setNumber("localStep", setup.localStep).ok());
-  REQUIRE(session.setNumber("acceleration", setup.acceleration).ok());
-  REQUIRE(session.setNumber("tolerance", setup.tolerance).ok());
-  REQUIRE(session.setNumber("maxIterations", setup.maxIterations).ok());
-  REQUIRE(session.setHandles(setup.handles).ok());
+  REQUIRE(session.set("lambda", encoded(setup.lambda)).ok());
+  REQUIRE(session.set("localStep", encoded(setup.localStep)).ok());
+  REQUIRE(session.set("acceleration", encoded(setup.acceleration)).ok());
+  REQUIRE(session.set("tolerance", encoded(setup.tolerance)).ok());
+  REQUIRE(session.set("maxIterations", encoded(setup.maxIterations)).ok());
+  REQUIRE(session.set("handles", encoded(setup.handles)).ok());
   REQUIRE(session.prepare().ok());
 }
 
@@ -65,8 +65,8 @@ std::size_t iterationsTo(const std::vector<double>& energies, double lowest, dou
 
 std::vector<Setup> combinations(double lambda) {
   std::vector<Setup> setups;
-  for (const Step step : {exact, admm}) {
-    for (const Acceleration acceleration : {nesterov, relaxed, none}) setups.push_back({lambda, step, acceleration});
+  for (const std::string& step : {exact, admm}) {
+    for (const std::string& acceleration : {nesterov, relaxed, none}) setups.push_back({lambda, step, acceleration});
   }
   return setups;
 }
@@ -118,7 +118,7 @@ TEST_CASE("at the paper's stop the exact step is no higher than ADMM") {
   for (const TriangleMesh& mesh : {bent(sphere(3)), bent(grid(20))}) {
     for (const double lambda : {0.2, 0.8}) {
       const double byDefault = run(mesh, {lambda}).energies.back();
-      for (const Acceleration acceleration : {nesterov, relaxed, none}) {
+      for (const std::string& acceleration : {nesterov, relaxed, none}) {
         const double ofExact = run(mesh, {lambda, exact, acceleration}).energies.back();
         const double ofAdmm = run(mesh, {lambda, admm, acceleration}).energies.back();
         CHECK(ofExact <= ofAdmm * (1 + 1e-4));

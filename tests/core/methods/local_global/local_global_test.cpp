@@ -33,10 +33,10 @@ Run run(const TriangleMesh& mesh, const Setup& setup) {
   Session session;
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select(setup.method).ok());
-  if (setup.method == "cubic") REQUIRE(session.setNumber("lambda", setup.lambda).ok());
-  REQUIRE(session.setNumber("tolerance", setup.tolerance).ok());
-  REQUIRE(session.setNumber("maxIterations", setup.maxIterations).ok());
-  REQUIRE(session.setHandles(setup.handles).ok());
+  if (setup.method == "cubic") REQUIRE(session.set("lambda", encoded(setup.lambda)).ok());
+  REQUIRE(session.set("tolerance", encoded(setup.tolerance)).ok());
+  REQUIRE(session.set("maxIterations", encoded(setup.maxIterations)).ok());
+  REQUIRE(session.set("handles", encoded(setup.handles)).ok());
   REQUIRE(session.prepare().ok());
   Run result;
   while (result.outcome == Outcome::running) {
@@ -232,7 +232,7 @@ TEST_CASE("a warm start goes on from where it is") {
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("cubic").ok());
   const auto iterate = [&](double lambda) {
-    REQUIRE(session.setNumber("lambda", lambda).ok());
+    REQUIRE(session.set("lambda", encoded(lambda)).ok());
     REQUIRE(session.prepare().ok());
     StepReport report;
     int iterations = 0;

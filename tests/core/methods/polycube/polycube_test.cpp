@@ -33,10 +33,10 @@ struct Boxed {
 
 void prepareBoxed(Session& session, const Boxed& boxed) {
   REQUIRE(session.select("polycube").ok());
-  REQUIRE(session.setStyle("directions", boxed.directions).ok());
-  REQUIRE(session.setNumber("lambda", boxed.lambda).ok());
-  REQUIRE(session.setNumber("smoothing", boxed.smoothing).ok());
-  REQUIRE(session.setNumber("maxIterations", boxed.maxIterations).ok());
+  REQUIRE(session.set("directions", encoded(boxed.directions)).ok());
+  REQUIRE(session.set("lambda", encoded(boxed.lambda)).ok());
+  REQUIRE(session.set("smoothing", encoded(boxed.smoothing)).ok());
+  REQUIRE(session.set("maxIterations", encoded(boxed.maxIterations)).ok());
   REQUIRE(session.prepare().ok());
 }
 
@@ -57,15 +57,15 @@ TEST_CASE("the turn of a face is the plain fit") {
     for (int trial = 0; trial < 50; ++trial) {
       const Vec3 n = noise.direction(), t = noise.direction();
       const Mat3 M = Mat3::Identity() - n * n.transpose() + lambda * n * t.transpose();
-      const Mat3 R = Mat3::Identity() + turnToward(n, t, lambda);
+      const Mat3 R = Mat3::Identity() + rotationChangeToward(n, t, lambda);
       CHECK((R.transpose() * R - Mat3::Identity()).norm() < 1e-12);
       CHECK((R - fitRotation(M)).norm() < 1e-6);
     }
   }
   const Vec3 n = noise.direction();
-  CHECK(turnToward(n, n, 3).isZero(0));
-  CHECK(turnToward(n, -n, 3).isZero(0));
-  CHECK(turnToward(n, noise.direction(), 0).isZero(0));
+  CHECK(rotationChangeToward(n, n, 3).isZero(0));
+  CHECK(rotationChangeToward(n, -n, 3).isZero(0));
+  CHECK(rotationChangeToward(n, noise.direction(), 0).isZero(0));
 }
 
 TEST_CASE("an animal becomes a polycube without folds") {

@@ -24,8 +24,8 @@ Flow flow(const TriangleMesh& mesh, double timeStep = 1e-3, int maxIterations = 
   Session session;
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("spherical").ok());
-  REQUIRE(session.setNumber("timeStep", timeStep).ok());
-  REQUIRE(session.setNumber("maxIterations", maxIterations).ok());
+  REQUIRE(session.set("timeStep", encoded(timeStep)).ok());
+  REQUIRE(session.set("maxIterations", encoded(maxIterations)).ok());
   REQUIRE(session.prepare().ok());
   Flow result;
   while (result.outcome == Outcome::running) {
@@ -208,7 +208,7 @@ TEST_CASE("what ends folded is refused, and the positions are those before") {
   Session session;
   REQUIRE(session.load(horseshoe).ok());
   REQUIRE(session.select("spherical").ok());
-  REQUIRE(session.setNumber("tolerance", 1).ok());  // stops at once, far from a sphere
+  REQUIRE(session.set("tolerance", encoded(1)).ok());  // stops at once, far from a sphere
   StepReport report;
   const Status status = session.step(report);
   CHECK(status.code == Code::numericalFailure);
@@ -222,7 +222,7 @@ TEST_CASE("a mesh too coarse to tell a sphere from a needle is refused in the en
   Session session;
   REQUIRE(session.load(longBox(8, 1)).ok());
   REQUIRE(session.select("spherical").ok());
-  REQUIRE(session.setNumber("maxIterations", 1000).ok());
+  REQUIRE(session.set("maxIterations", encoded(1000)).ok());
   StepReport report;
   Status status;
   while (status.ok() && report.outcome == Outcome::running) status = session.step(report);
@@ -239,7 +239,7 @@ TEST_CASE("a refusal is not forgotten, and its element is where the fault is") {
   CHECK(session.prepare().code == Code::unsuitableMesh);
   StepReport report;
   CHECK(session.step(report).code == Code::unsuitableMesh);
-  const Index vertex = session.prepare().element;
+  const Index vertex = session.prepare().element.index;
   CHECK((sphere(2).triangles.bottomRows(1).array() == vertex).any());
 }
 

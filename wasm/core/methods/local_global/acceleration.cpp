@@ -10,10 +10,6 @@ constexpr double kRelaxation = 1.8;
 
 }  // namespace
 
-ParameterInfo Acceleration::parameter() {
-  return choiceParameter("acceleration", Stale::targets, {"nesterov", "relaxed", "none"});
-}
-
 void Acceleration::begin(Kind kind) {
   kind_ = kind;
   fresh_ = true;

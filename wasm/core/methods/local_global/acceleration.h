@@ -1,7 +1,6 @@
 #pragma once
 
 #include "methods/local_global/displacements.h"
-#include "methods/parameters.h"
 
 namespace whittle {
 
@@ -15,9 +14,6 @@ namespace whittle {
 class Acceleration {
  public:
   enum class Kind { nesterov, relaxed, none };
-
-  /// The parameter that chooses among them.
-  static ParameterInfo parameter();
 
   void resize(Index vertexCount, const StiffEdges& stiff) { start_.resize(vertexCount, stiff); }
 

@@ -1,17 +1,14 @@
 #include "methods/local_global/arap.h"
 
 #include "geometry/rotation_fit.h"
-#include "methods/local_global/local_global.h"
+#include "methods/local_global/local_global_method.h"
 
 namespace whittle {
 
-namespace {
-
-enum Parameter { kRegularizer, kOwnParameters };
-
-}  // namespace
-
-Rigidity ArapLocalStep::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
+std::vector<std::string> ArapLocalStep::warnings(const ArapParameters& values) {
+  if (!values.handles.vertices.empty()) return {};
+  return {"Without handles nothing moves: hold some vertices and drag others."};
+}
 
 Lanes ArapLocalStep::fit(std::size_t, const MatrixLanes& covariances, bool, QuaternionLanes& rotations) {
   fitRotations(covariances, rotations);
@@ -19,10 +16,10 @@ Lanes ArapLocalStep::fit(std::size_t, const MatrixLanes& covariances, bool, Quat
 }
 
 MethodInfo arapMethod() {
-  const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<ArapLocalStep>(), kOwnParameters);
-  };
-  return {"arap", withSharedParameters({rigidityParameter()}), create};
+  using P = ArapParameters;
+  const ParameterList<P> own = {bind("regularizer", &P::regularizer, Stale::all, rigidities()),
+                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+  return methodInfo<LocalGlobalMethod<ArapLocalStep>>("arap", withGroup(own, &P::solver, solverParameters()));
 }
 
 }  // namespace whittle

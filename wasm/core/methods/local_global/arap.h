@@ -1,15 +1,24 @@
 #pragma once
 
-#include "methods/local_global/local_step.h"
-#include "methods/method.h"
+#include "methods/local_global/local_global.h"
 
 namespace whittle {
+
+struct ArapParameters {
+  Rigidity regularizer = Rigidity::arap;
+  Handles handles;
+  SolverParameters solver;
+};
 
 /// As rigid as possible: no regularizer, each rotation is the plain Procrustes fit.
 class ArapLocalStep : public LocalStep {
  public:
-  Rigidity rigidity(const Settings& settings) const override;
-  Status prepare(const RestShape&, const Settings&) override { return {}; }
+  using Parameters = ArapParameters;
+  static EngineValues engineValues(const ArapParameters& values) { return {values.regularizer, values.handles, values.solver}; }
+  static Status check(const ArapParameters&) { return {}; }
+  static std::vector<std::string> warnings(const ArapParameters& values);
+
+  void prepare(const RestShape&, const ArapParameters&) {}
   Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 };
 

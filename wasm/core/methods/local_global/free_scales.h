@@ -11,21 +11,26 @@ class FreeScales {
  public:
   /// Claims memory for so many elements, all of scale 1.
   explicit FreeScales(Index elementCount)
-      : weights_(batchCount(elementCount), splat(0)), pullWeights_(weights_), growths_(weights_) {}
+      : weights_(batchCount(elementCount), splat(0)), targetWeights_(weights_), growths_(weights_) {}
 
-  /// @param pullWeights a_k |n_k|², one number per element, or empty for none
-  void prepare(const EdgeSet& edges, const Scalars& pullWeights);
+  /// @param targetWeights a_k |n_k|², one number per element, or empty for none
+  void prepare(const EdgeSet& edges, const Scalars& targetWeights);
 
-  /// Scales of four elements whose rotations are found, in changes like everything: makes the turns s R − I of R − I. Returns what the scales
+  /// Scales of four elements whose rotations are found, in changes like everything: makes s R − I of the rotation changes R − I. Returns what the scales
   /// change in the energy.
-  /// @param gains tr((R − I) M)
-  /// @param covariances M − M⁰, the pull of targets included
-  Lanes fit(std::size_t batch, Lanes gains, const MatrixLanes& covariances, MatrixLanes& turns);
+  /// @param alignmentGains tr((R − I) M)
+  /// @param covariances M − M⁰, the target term included
+  Lanes fit(std::size_t batch, Lanes alignmentGains, const MatrixLanes& covariances, MatrixLanes& rotationChanges);
+
+  /// Copies the scales s_k of the last fit, one number per element.
+  void copyTo(Scalars& scales) const {
+    for (Index k = 0; k < scales.size(); ++k) scales[k] = 1 + static_cast<double>(growths_[k / 4][k % 4]);
+  }
 
  private:
   std::vector<Lanes> weights_;      // w
-  std::vector<Lanes> pullWeights_;  // a |n|²
-  std::vector<Lanes> growths_;
+  std::vector<Lanes> targetWeights_;  // a |n|²
+  std::vector<Lanes> growths_;        // s − 1
 };
 
 }  // namespace whittle

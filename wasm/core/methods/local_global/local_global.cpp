@@ -17,79 +17,58 @@ constexpr double kRounding = 2e-8;
 /// Elements that go through the local step together: as many as the nearest cache holds all of.
 constexpr Index kBlock = 64;
 
-enum SharedParameter { kHandles, kAcceleration, kStopOn, kTolerance };
-
-ParameterInfo maxIterationsParameter(int usual) {
-  return {"maxIterations", ParameterKind::integer, Stale::targets, static_cast<double>(usual), 0, 1e6};
-}
-
 }  // namespace
 
-std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own) {
-  own.push_back({"handles", ParameterKind::handles, Stale::system});
-  own.push_back(Acceleration::parameter());
-  own.push_back(StoppingRule::parameter());
-  own.push_back({"tolerance", ParameterKind::number, Stale::targets, 3e-3, 0, 1});
-  own.push_back(maxIterationsParameter(1000));
-  return own;
+std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<EngineValues()> values,
+                                     std::function<void(const RestShape& rest)> prepareStep, Stale stale) {
+  return Plan(stale)
+      .add(Stale::all, "measuring the mesh", 4, [this, &rest] { measure(rest); })
+      .add(Stale::all, "collecting the edges", 8, [this, values] { collectEdges(values().rigidity); })
+      .add(Stale::system, "factoring the system", 60, [this, values] { return prepareSystem(values().handles); })
+      .add(Stale::weights, "preparing the local step", 4,
+           [this, prepareStep] {
+             prepareStep(*rest_);
+             if (scales_) scales_->prepare(*edges_, localStep_.targetWeights());
+           })
+      .add(Stale::targets, "taking the settings", 1,
+           [this, values] {
+             const auto [rigidity, handles, solver] = values();
+             handles_ = handles;
+             accelerationKind_ = solver.acceleration;
+             stopping_.quantity = solver.stopOn;
+             stopping_.tolerance = solver.tolerance;
+             stopping_.maxIterations = solver.maxIterations;
+           })
+      .stages();
 }
 
-std::vector<ParameterInfo> withIterations(std::vector<ParameterInfo> own, int usual) {
-  own.push_back({"handles", ParameterKind::handles, Stale::system});
-  own.push_back(maxIterationsParameter(usual));
-  return own;
-}
-
-Status LocalGlobal::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
-  if (stale == Stale::nothing) return {};
-  takeEnding(settings);
-  handles_.targets = settings.handles.targets;
-  if (stale >= Stale::all) prepareRestShape(rest, localStep_->rigidity(settings));
-  if (stale >= Stale::weights) {
-    if (Status status = localStep_->prepare(*rest_, settings); !status.ok()) return status;
-    if (scales_) scales_->prepare(*edges_, localStep_->pullWeights());
-  }
-  if (stale < Stale::system) return {};
-  Status status = prepareSystem(settings.handles);
-  if (status.ok() && stale >= Stale::all) claimRunningState();  // late: the factorization's memory is the peak
-  return status;
-}
-
-void LocalGlobal::takeEnding(const Settings& settings) {
-  stopping_.maxIterations = static_cast<int>(settings.numbers.back());
-  if (ending_ == Ending::iterations) {
-    stopping_.quantity = StoppingRule::Quantity::iterations;
-    return;
-  }
-  const double* shared = settings.numbers.data() + ownParameters_;
-  accelerationKind_ = static_cast<Acceleration::Kind>(shared[kAcceleration]);
-  stopping_.quantity = static_cast<StoppingRule::Quantity>(shared[kStopOn]);
-  stopping_.tolerance = shared[kTolerance];
-}
-
-void LocalGlobal::prepareRestShape(const TriangleMesh& rest, Rigidity rigidity) {
+void LocalGlobal::measure(const TriangleMesh& rest) {
   rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
-  edges_ = makeEdgeSet(edgeSetOf(rigidity), rest, halfCotangents_);
+  components_ = connectedComponents(rest.triangles, rest.vertexCount());
+}
+
+void LocalGlobal::collectEdges(Rigidity rigidity) {
+  edges_ = makeEdgeSet(edgeSetOf(rigidity), rest_->mesh, halfCotangents_);
   sizeOfTerms_ = 0;
   for (const SymmetricLanes& M : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(M.xx + M.yy + M.zz));
   scales_.reset();
   if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
-  components_ = connectedComponents(rest.triangles, rest.vertexCount());
+  isClaimed_ = false;
 }
 
 void LocalGlobal::claimRunningState() {
   const Index vertexCount = rest_->mesh.vertexCount();
   for (auto* rotations : {&guess_, &rotations_}) rotations->assign(batchCount(edges_->elementCount()), identityRotations());
   covariances_.resize(batchCount(kBlock));
-  turns_.resize(batchCount(kBlock));
+  rotationChanges_.resize(batchCount(kBlock));
   residual_.assign(ConstrainedQuadratic::paddedRows(vertexCount), {});
   for (auto* displacements : {&displacements_, &previous_}) displacements->resize(vertexCount, edges_->stiffEdges());
   acceleration_.resize(vertexCount, edges_->stiffEdges());
+  isClaimed_ = true;
 }
 
 Status LocalGlobal::prepareSystem(const Handles& handles) {
-  handles_ = handles;
   gauge_.emplace(components_, handles.vertices, rest_->mesh.positions, rest_->areas);
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
@@ -98,10 +77,11 @@ Status LocalGlobal::prepareSystem(const Handles& handles) {
 }
 
 void LocalGlobal::begin(Points& positions) {
+  if (!isClaimed_) claimRunningState();
   stopping_.begin();
-  acceleration_.begin(localStep_->followsOutput() ? Acceleration::Kind::none : accelerationKind_);
+  acceleration_.begin(localStep_.followsOutput() ? Acceleration::Kind::none : accelerationKind_);
   energy_ = std::numeric_limits<double>::infinity();
-  localStep_->begin();
+  localStep_.begin();
   for (auto* rotations : {&guess_, &rotations_}) std::fill(rotations->begin(), rotations->end(), identityRotations());
   applyHandles(handles_, positions);
   displacements_.measure(positions, rest_->mesh.positions);
@@ -114,8 +94,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   }
   guess_.swap(rotations_);
   const bool extrapolated = acceleration_.extrapolate(displacements_, previous_);
-  if (localStep_->followsOutput()) {
-    localStep_->observe(positions);
+  if (localStep_.followsOutput()) {
+    localStep_.observe(positions);
     energy_ = std::numeric_limits<double>::infinity();
   }
   report.energy = localStep(acceleration_.start(), Guess::continued);
@@ -123,7 +103,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
     acceleration_.reject(displacements_);
     report.energy = localStep(displacements_, Guess::last);
   }
-  // Not from an exact local step, but ADMM stops within its tolerance and, for strong pulls, at local maxima.
+  // Not from an exact local step, but ADMM stops within its tolerance and, for strong regularizers, at local maxima.
   if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_)) report.energy = localStep(displacements_, Guess::bound);
   energy_ = report.energy;
   std::swap(previous_, displacements_);
@@ -139,13 +119,13 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 
 double LocalGlobal::localStep(const Displacements& displacements, Guess guess) {
   std::fill(residual_.begin(), residual_.end(), LaneRow{});
-  double energy = localStep_->pullEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
+  double energy = localStep_.targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
   const Index count = edges_->elementCount();
   for (Index first = 0; first < count; first += kBlock) {
     const ElementRange block{first, std::min(first + kBlock, count)};
     energy += edges_->gatherCovariances(displacements.rows(), block, covariances_.data(), residual_);
     energy += fitBlock(block, guess);
-    edges_->addTurned(turns_.data(), block, residual_);
+    edges_->addRotationChanges(rotationChanges_.data(), block, residual_);
   }
   return energy < 0 ? 0 : energy;  // a sum of squares, but for rounding
 }
@@ -154,16 +134,16 @@ double LocalGlobal::fitBlock(ElementRange block, Guess guess) {
   DoubleLanes energies{};
   for (std::size_t b = block.firstBatch(); b < block.endBatch(); ++b) {
     MatrixLanes& covariances = covariances_[b - block.firstBatch()];
-    MatrixLanes& turns = turns_[b - block.firstBatch()];
+    MatrixLanes& rotationChanges = rotationChanges_[b - block.firstBatch()];
     QuaternionLanes& rotations = rotations_[b];
     const SymmetricLanes& rest = edges_->restCovariances()[b];
-    localStep_->pull(b, covariances);
+    localStep_.addTargetTerm(b, covariances);
     rotations = guess == Guess::continued ? continued(guess_[b], rotations) : guess_[b];
-    const Lanes regularizers = localStep_->fit(b, rest + covariances, guess == Guess::bound, rotations);
-    turns = turnOf(rotations);
-    const Lanes gains = traceOfProduct(turns, rest) + traceOfProduct(turns, covariances);
-    Lanes changes = regularizers - gains;
-    if (scales_) changes += scales_->fit(b, gains, covariances, turns);
+    const Lanes regularizers = localStep_.fit(b, rest + covariances, guess == Guess::bound, rotations);
+    rotationChanges = rotationChange(rotations);
+    const Lanes alignmentGains = traceOfProduct(rotationChanges, rest) + traceOfProduct(rotationChanges, covariances);
+    Lanes changes = regularizers - alignmentGains;
+    if (scales_) changes += scales_->fit(b, alignmentGains, covariances, rotationChanges);
     energies += toDouble(changes);
   }
   return sumOf(energies);
@@ -174,22 +154,22 @@ double LocalGlobal::globalStep(Points& positions) {
   const Displacements& start = acceleration_.start();
   gauge_->balance(start.rows(), residual_);
   LaneRows& rows = displacements_.rows();
-  Lanes move = splat(0), way = splat(0), sum = splat(0);  // squared lengths
+  Lanes move = splat(0), displacement = splat(0), sum = splat(0);  // squared lengths
   for (std::size_t v = 0; v < rows.size(); v += 4) {
-    Lanes steps[4], jumps[4], ways[4];  // from where the iteration started, from the iterate before, from rest
+    Lanes steps[4], jumps[4], lengths[4];  // from where the iteration started, from the iterate before, from rest
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const Lanes from = load(&start.rows()[v + lane]);
       const Lanes to = from + (load(&residual_[v + lane]) + gauge_->shift(v + lane));
       const Lanes step = to - from, jump = to - load(&previous_.rows()[v + lane]);
       store(&rows[v + lane], to);
-      steps[lane] = step * step, jumps[lane] = jump * jump, ways[lane] = to * to;
+      steps[lane] = step * step, jumps[lane] = jump * jump, lengths[lane] = to * to;
     }
     const Lanes stepped = horizontalSums(steps[0], steps[1], steps[2], steps[3]);
     const Lanes jumped = horizontalSums(jumps[0], jumps[1], jumps[2], jumps[3]);
-    const Lanes gone = horizontalSums(ways[0], ways[1], ways[2], ways[3]);
+    const Lanes displaced = horizontalSums(lengths[0], lengths[1], lengths[2], lengths[3]);
     move = maximum(move, maximum(stepped, jumped));
-    way = maximum(way, gone);
-    sum += gone;  // a maximum does not see what is not a number
+    displacement = maximum(displacement, displaced);
+    sum += displaced;  // a maximum does not see what is not a number
   }
   if (!std::isfinite(sumOf(toDouble(sum)))) return std::numeric_limits<double>::quiet_NaN();
   displacements_.setExact([&](Index place, Index v) -> Eigen::RowVector3d {
@@ -199,7 +179,12 @@ double LocalGlobal::globalStep(Points& positions) {
   displacements_.apply(rest_->mesh.positions, positions);
   applyHandles(handles_, positions);  // to the bit
   const auto largest = [](Lanes v) { return std::max({v[0], v[1], v[2], v[3]}); };
-  return StoppingRule::relativeDisplacement(largest(move), largest(way));
+  return StoppingRule::relativeDisplacement(largest(move), largest(displacement));
+}
+
+std::vector<Field> LocalGlobal::fields() const {
+  if (!scales_) return {};
+  return {{"size", "Change of size", Field::Per::vertex, "×", [this](Scalars& values) { scales_->copyTo(values); }}};
 }
 
 }  // namespace whittle

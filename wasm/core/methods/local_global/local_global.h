@@ -1,44 +1,47 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "constraints/gauge.h"
 #include "linear/constrained_quadratic.h"
 #include "methods/local_global/acceleration.h"
 #include "methods/local_global/free_scales.h"
 #include "methods/local_global/local_step.h"
+#include "methods/local_global/rigidity.h"
+#include "methods/local_global/solver_parameters.h"
 #include "methods/method.h"
-#include "methods/stopping_rule.h"
 
 namespace whittle {
 
-/// The parameters that a local/global method ends its list with.
-enum class Ending {
-  shared,      // handles, acceleration, stopOn, tolerance, maxIterations
-  iterations,  // handles, maxIterations: where targets follow the output, so that nothing but the count says when to stop
+/// What the engine needs of a method's values.
+struct EngineValues {
+  Rigidity rigidity = Rigidity::arap;
+  Handles handles;
+  SolverParameters solver;
 };
 
-std::vector<ParameterInfo> withSharedParameters(std::vector<ParameterInfo> own);
-/// @param usual how many iterations, by default
-std::vector<ParameterInfo> withIterations(std::vector<ParameterInfo> own, int usual);
-
-/// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, by turns over the rotations R (local step, the policy)
+/// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating between the rotations R (local step, the policy)
 /// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge). The
 /// energy of the points that iterations start from never rises, accelerated or not.
-class LocalGlobal : public Method {
+class LocalGlobal {
  public:
-  /// @param ownParameters how many parameters come before those of the ending
-  LocalGlobal(std::unique_ptr<LocalStep> localStep, std::size_t ownParameters, Ending ending = Ending::shared)
-      : localStep_(std::move(localStep)), ownParameters_(ownParameters), ending_(ending) {}
+  /// @param localStep the policy; outlives the engine
+  explicit LocalGlobal(LocalStep& localStep) : localStep_(localStep) {}
 
-  Status prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) override;
-  void begin(Points& positions) override;
-  Status step(Points& positions, StepReport& report) override;
+  /// @param values what the stages read when they run
+  /// @param prepareStep prepares the policy for a rest shape that outlives its use
+  std::vector<Stage> plan(const TriangleMesh& rest, std::function<EngineValues()> values,
+                          std::function<void(const RestShape& rest)> prepareStep, Stale stale);
+  void begin(Points& positions);
+  Status step(Points& positions, StepReport& report);
+  std::vector<Field> fields() const;
 
  private:
-  void takeEnding(const Settings& settings);
-  void prepareRestShape(const TriangleMesh& rest, Rigidity rigidity);
+  void measure(const TriangleMesh& rest);
+  void collectEdges(Rigidity rigidity);
   void claimRunningState();
   Status prepareSystem(const Handles& handles);
   /// Where the rotations of a local step start from.
@@ -50,16 +53,14 @@ class LocalGlobal : public Method {
 
   /// Fits the rotations to the displacements and leaves the residual of the global step; returns the energy.
   double localStep(const Displacements& displacements, Guess guess);
-  /// The same for elements whose covariances are there, of which it leaves the turns; returns what these change in the energy.
+  /// Fits the rotations of elements whose covariances are there and leaves their rotation changes; returns what these change in the energy.
   double fitBlock(ElementRange block, Guess guess);
   /// Moves the displacements from where the iteration started to the minimum for the rotations and writes the positions. Returns the
-  /// longest move of a vertex as a share of the longest way from rest, or not a number where one is not. Of an accelerated iteration both
+  /// longest move of a vertex as a share of the largest displacement, or not a number where one is not. Of an accelerated iteration both
   /// moves must be short: from where it started, which is what the plain one would report there, and from the iterate before.
   double globalStep(Points& positions);
 
-  std::unique_ptr<LocalStep> localStep_;
-  std::size_t ownParameters_;
-  Ending ending_;
+  LocalStep& localStep_;
   StoppingRule stopping_;
   Acceleration::Kind accelerationKind_ = Acceleration::Kind::nesterov;
   Handles handles_;
@@ -75,12 +76,13 @@ class LocalGlobal : public Method {
   std::optional<Gauge> gauge_;
   ConstrainedQuadratic system_;
 
-  // Running state
+  // Running state, claimed by the first run on a rest shape: the memory of the factorization, which is the peak, is free by then
+  bool isClaimed_ = false;
   std::vector<QuaternionLanes> guess_;  // rotations of the iteration before, which made the present positions
   std::vector<QuaternionLanes> rotations_;
   std::optional<FreeScales> scales_;       // where the policy frees them
   std::vector<MatrixLanes> covariances_;   // of one block
-  std::vector<MatrixLanes> turns_;         // of one block
+  std::vector<MatrixLanes> rotationChanges_;  // of one block
   LaneRows residual_;                      // b − L V; then the corrections
   Displacements displacements_;            // of the iterate
   Displacements previous_;                 // of the iterate before

@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "geometry/rotation_fit.h"
-#include "methods/local_global/rigidity.h"
-#include "methods/parameters.h"
+#include "mesh/triangle_mesh.h"
 
 namespace whittle {
 
@@ -15,15 +14,10 @@ struct RestShape {
   Points normals;  // #V×3, unit or zero
 };
 
-/// The policy of a local/global method: how each element's rotation is chosen.
+/// The policy of a local/global method: how each element's rotation is chosen. What belongs to its parameters stands in `LocalStepPolicy`.
 class LocalStep {
  public:
   virtual ~LocalStep() = default;
-
-  virtual Rigidity rigidity(const Settings&) const { return Rigidity::arap; }
-
-  /// Takes the parameters that the policy knows; called when weights or more are stale. `rest` outlives the policy’s use.
-  virtual Status prepare(const RestShape& rest, const Settings& settings) = 0;
 
   /// Forgets what earlier iterations left.
   virtual void begin() {}
@@ -35,11 +29,11 @@ class LocalStep {
   virtual void observe(const Points&) {}
 
   /// Adds what is linear in the (scaled) rotations, −tr(R P) summed over elements, as 1·P to the covariances of four elements.
-  virtual void pull(std::size_t, MatrixLanes&) const {}
+  virtual void addTargetTerm(std::size_t, MatrixLanes&) const {}
   /// The part of the energy that belongs to it where nothing is turned, Σ_k a_k |n_k − t_k|².
-  virtual double pullEnergy() const { return 0; }
+  virtual double targetEnergy() const { return 0; }
   /// a_k |n_k|² of every element: what a scale s_k makes of it is s_k² as much. Empty: none.
-  virtual Scalars pullWeights() const { return {}; }
+  virtual Scalars targetWeights() const { return {}; }
 
   /// Finds the rotations R of four elements that are best for their covariances M (tr(R M) is to be large), starting from those
   /// given. Returns their regularizers. Allocates nothing.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "methods/local_global/edges/edge_set.h"
-#include "methods/parameters.h"
+#include "methods/values/choice.h"
 
 namespace whittle {
 
@@ -16,7 +16,9 @@ inline EdgeSetKind edgeSetOf(Rigidity rigidity) {
   return rigidity == Rigidity::farap ? EdgeSetKind::faces : EdgeSetKind::spokesAndRims;
 }
 
-/// The parameter that chooses among them; another one is another system altogether.
-inline ParameterInfo rigidityParameter() { return choiceParameter("regularizer", Stale::all, {"arap", "farap", "acap"}); }
+/// The kind of the parameter that chooses among them; another one is another system altogether.
+inline ChoiceKind<Rigidity> rigidities() {
+  return {{{"arap", Rigidity::arap}, {"farap", Rigidity::farap}, {"acap", Rigidity::acap}}};
+}
 
 }  // namespace whittle

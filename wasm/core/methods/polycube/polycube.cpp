@@ -10,8 +10,6 @@ namespace whittle {
 
 namespace {
 
-enum Parameter { kDirections, kLambda, kSmoothing, kMaxIterations };
-
 /// Below this sine two directions are the same, or opposite.
 constexpr double kSameDirection = 1e-12;
 
@@ -23,7 +21,7 @@ Mat3 crossMatrix(const Vec3& a) {
 
 }  // namespace
 
-Mat3 turnToward(const Vec3& n, const Vec3& t, double lambda) {
+Mat3 rotationChangeToward(const Vec3& n, const Vec3& t, double lambda) {
   const Vec3 normal = n.cross(t);
   const double sine = normal.norm(), cosine = n.dot(t);
   if (sine < kSameDirection) return Mat3::Zero();
@@ -34,20 +32,25 @@ Mat3 turnToward(const Vec3& n, const Vec3& t, double lambda) {
   return across / length * K + (1 - along / length) * K * K;
 }
 
-Status PolyCube::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
-  if (stale == Stale::nothing) return {};
-  if (!settings.style) {
-    return Status::failure(Code::badParameter, "a polycube needs directions; choose some, for example those of the cube");
-  }
-  directions_ = settings.style;
-  lambda_ = settings.numbers[kLambda];
-  smoothing_ = settings.numbers[kSmoothing];
-  stopping_.quantity = StoppingRule::Quantity::iterations;
-  stopping_.maxIterations = static_cast<int>(settings.numbers[kMaxIterations]);
-  return stale < Stale::all ? Status{} : prepareRestShape(rest);
+Status PolyCube::check(const PolyCubeParameters& values) const {
+  if (values.directions) return {};
+  return Status::failure(Code::badParameter, "a polycube needs directions; choose some, for example those of the cube");
 }
 
-Status PolyCube::prepareRestShape(const TriangleMesh& rest) {
+std::vector<Stage> PolyCube::plan(const TriangleMesh& rest, const PolyCubeParameters& values, Stale stale) {
+  return Plan(stale)
+      .add(Stale::all, "measuring the mesh", 8, [this, &rest] { measure(rest); })
+      .add(Stale::all, "factoring the system", 60, [this] { return prepareSystem(); })
+      .add(Stale::targets, "taking the settings", 1,
+           [this, &values] {
+             values_ = values;
+             stopping_.quantity = StoppingRule::Quantity::iterations;
+             stopping_.maxIterations = values.maxIterations;
+           })
+      .stages();
+}
+
+void PolyCube::measure(const TriangleMesh& rest) {
   rest_ = &rest;
   const Scalars areas = barycentricAreas(rest.positions, rest.triangles);
   gauge_.emplace(connectedComponents(rest.triangles, rest.vertexCount()), std::vector<Index>{}, rest.positions, areas);
@@ -56,6 +59,9 @@ Status PolyCube::prepareRestShape(const TriangleMesh& rest) {
   ringSmoothing_.prepare(rest.positions, rest.triangles);
   moves_.resize(rest.vertexCount(), 3);
   previous_ = rest.positions;
+}
+
+Status PolyCube::prepareSystem() {
   const SparseMatrix& L = laplacian_->fill(halfCotangents_);
   cholesky_.analyze(L, {.isOrdered = true});
   return cholesky_.factorize(L, true);  // claims what the steps work in
@@ -72,7 +78,7 @@ Status PolyCube::step(Points& positions, StepReport& report) {
     return {};
   }
   previous_ = positions;
-  report.energy = turnFaces(positions);
+  report.energy = rotateFaces(positions);
   Status status = globalStep(positions);
   if (status.ok() && !(std::isfinite(report.energy) && positions.allFinite())) {
     status = Status::failure(Code::numericalFailure,
@@ -87,7 +93,7 @@ Status PolyCube::step(Points& positions, StepReport& report) {
   return {};
 }
 
-double PolyCube::turnFaces(const Points& positions) {
+double PolyCube::rotateFaces(const Points& positions) {
   const Triangles& triangles = rest_->triangles;
   halfCotangents(positions, triangles, halfCotangents_);
   moves_.setZero();
@@ -97,15 +103,15 @@ double PolyCube::turnFaces(const Points& positions) {
     const Vec3 edges[] = {corner(2) - corner(1), corner(0) - corner(2), corner(1) - corner(0)};
     const Vec3 vector = edges[0].cross(edges[1]), n = vector.stableNormalized();
     if (n.isZero(0)) continue;
-    const Vec3 t = (*directions_)(n);
-    const Mat3 turn = turnToward(n, t, lambda_);
+    const Vec3 t = (*values_.directions)(n);
+    const Mat3 rotationChange = rotationChangeToward(n, t, values_.lambda);
     for (int k = 0; k < 3; ++k) {
-      const Vec3 pull = halfCotangents_(f, k) * (turn * edges[k]);
-      moves_.row(triangles(f, (k + 1) % 3)) -= pull.transpose();
-      moves_.row(triangles(f, (k + 2) % 3)) += pull.transpose();
+      const Vec3 force = halfCotangents_(f, k) * (rotationChange * edges[k]);
+      moves_.row(triangles(f, (k + 1) % 3)) -= force.transpose();
+      moves_.row(triangles(f, (k + 2) % 3)) += force.transpose();
     }
-    const Vec3 turned = n + turn * n;
-    energy += vector.norm() * (1 - turned.dot(n) + lambda_ * (1 - turned.dot(t)));
+    const Vec3 rotated = n + rotationChange * n;
+    energy += vector.norm() * (1 - rotated.dot(n) + values_.lambda * (1 - rotated.dot(t)));
   }
   return energy;
 }
@@ -116,24 +122,23 @@ Status PolyCube::globalStep(Points& positions) {
   for (const Index pin : gauge_->pins()) moves_.row(pin).setZero();
   cholesky_.solve(moves_);
   positions += moves_;
-  if (smoothing_ > 0) ringSmoothing_.smooth(smoothing_, rest_->triangles, positions);
+  if (values_.smoothing > 0) ringSmoothing_.smooth(values_.smoothing, rest_->triangles, positions);
   gauge_->restoreCentroids(positions);
   return {};
 }
 
 double PolyCube::relativeDisplacement(const Points& positions) const {
   const double move = (positions - previous_).rowwise().squaredNorm().maxCoeff();
-  const double way = (positions - rest_->positions).rowwise().squaredNorm().maxCoeff();
-  return StoppingRule::relativeDisplacement(move, way);
+  const double displacement = (positions - rest_->positions).rowwise().squaredNorm().maxCoeff();
+  return StoppingRule::relativeDisplacement(move, displacement);
 }
 
 MethodInfo polycubeMethod() {
-  return {"polycube",
-          {{"directions", ParameterKind::style, Stale::targets},
-           {"lambda", ParameterKind::number, Stale::targets, 1, 0, 100},
-           {"smoothing", ParameterKind::number, Stale::targets, 0.2, 0, 1},
-           {"maxIterations", ParameterKind::integer, Stale::targets, 50, 0, 1e6}},
-          [] { return std::unique_ptr<Method>(std::make_unique<PolyCube>()); }};
+  using P = PolyCubeParameters;
+  return methodInfo<PolyCube>("polycube", {bind("directions", &P::directions, Stale::targets, StyleKind{}),
+                                           bind("lambda", &P::lambda, Stale::targets, NumberKind{{0, 100}}),
+                                           bind("smoothing", &P::smoothing, Stale::targets, NumberKind{{0, 1}}),
+                                           bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
 }
 
 }  // namespace whittle

@@ -9,8 +9,16 @@
 #include "methods/method.h"
 #include "methods/polycube/ring_smoothing.h"
 #include "methods/stopping_rule.h"
+#include "targets/gauss_map.h"
 
 namespace whittle {
+
+struct PolyCubeParameters {
+  std::shared_ptr<const GaussMap> directions;  // what normals turn to; has to be given
+  double lambda = 1;                           // λ, Eq. 4
+  double smoothing = 0.2;                      // share of the way by which corners of bad triangles are smoothed, §5.1
+  int maxIterations = 50;
+};
 
 /// PolyCube deformation and its kin for other sets of directions (2021, §5.1): face normals turn to the closest of a few directions, and
 /// nothing keeps the details of the input, because every iteration starts anew from what the last one left as its rest shape:
@@ -20,24 +28,24 @@ namespace whittle {
 /// with edges d, cotangents, normals, areas and targets t_f of the present shape. There the local step has a closed form; the global one
 /// factors the present Laplacian on the pattern of the input's. Each part keeps its centre. Normals soon lie right and the shape still
 /// drifts, so the number of iterations says when to stop.
-class PolyCube : public Method {
+class PolyCube : public MethodOf<PolyCubeParameters> {
  public:
-  Status prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) override;
+  Status check(const PolyCubeParameters& values) const override;
+  std::vector<Stage> plan(const TriangleMesh& rest, const PolyCubeParameters& values, Stale stale) override;
   /// Every run starts from the rest shape: where it ends depends on the way.
   void begin(Points& positions) override;
   Status step(Points& positions, StepReport& report) override;
 
  private:
-  Status prepareRestShape(const TriangleMesh& rest);
+  void measure(const TriangleMesh& rest);
+  Status prepareSystem();
   /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the energy.
-  double turnFaces(const Points& positions);
-  /// Moves the vertices to the minimum for these turns.
+  double rotateFaces(const Points& positions);
+  /// Moves the vertices to the minimum for these rotations.
   Status globalStep(Points& positions);
   double relativeDisplacement(const Points& positions) const;
 
-  std::shared_ptr<const GaussMap> directions_;
-  double lambda_ = 1;
-  double smoothing_ = 0;
+  PolyCubeParameters values_;
   StoppingRule stopping_;
 
   // Prepared once per mesh
@@ -49,13 +57,13 @@ class PolyCube : public Method {
 
   // Of the present shape
   CornerScalars halfCotangents_;
-  Points moves_;  // #V×3: what the turns ask for, then by how much the vertices move
+  Points moves_;  // #V×3: what the rotations ask for, then by how much the vertices move
   Points previous_;
 };
 
-/// What turns a face with unit normal n to the unit normal t as far as is best: the rotation R about n × t that maximises
-/// tr(R (I − n nᵀ)) + λ tᵀ R n, as R − I. Exactly zero where n is t or λ is 0; also where t is −n, from which no way leads.
-Mat3 turnToward(const Vec3& n, const Vec3& t, double lambda);
+/// Rotation change R − I of a face with unit normal n that is drawn to the unit normal t: R about n × t maximises
+/// tr(R (I − n nᵀ)) + λ tᵀ R n. Exactly zero where n is t or λ is 0; also where t is −n, from which no way leads.
+Mat3 rotationChangeToward(const Vec3& n, const Vec3& t, double lambda);
 
 /// Registry line of the method `polycube`.
 MethodInfo polycubeMethod();

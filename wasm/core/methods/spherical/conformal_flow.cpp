@@ -13,8 +13,6 @@ namespace whittle {
 
 namespace {
 
-enum Parameter { kTimeStep, kTolerance, kMaxIterations };
-
 /// How τ grows with each step, and how far. The path to the sphere is decided early; the long way of the rounder surface
 /// bears longer steps. The same sphere to within the mesh's own error, in a quarter of the steps.
 constexpr double kGrowth = 1.1;
@@ -36,17 +34,15 @@ Vec3 areaCentroid(const Points& positions, const Scalars& areas) {
 
 }  // namespace
 
-Status ConformalFlow::prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) {
-  if (stale == Stale::nothing) return {};
-  firstTimeStep_ = settings.numbers[kTimeStep];
-  tolerance_ = settings.numbers[kTolerance];
-  maxIterations_ = static_cast<int>(settings.numbers[kMaxIterations]);
-  if (stale < Stale::all) return {};
-  prepareRestShape(rest);
-  return {};
+std::vector<Stage> ConformalFlow::plan(const TriangleMesh& rest, const SphericalParameters& values, Stale stale) {
+  return Plan(stale)
+      .add(Stale::all, "measuring the mesh", 8, [this, &rest] { measure(rest); })
+      .add(Stale::all, "analyzing the system", 8, [this] { cholesky_.analyze(system_, {.isOrdered = true}); })
+      .add(Stale::targets, "taking the settings", 1, [this, &values] { values_ = values; })
+      .stages();
 }
 
-void ConformalFlow::prepareRestShape(const TriangleMesh& rest) {
+void ConformalFlow::measure(const TriangleMesh& rest) {
   rest_ = &rest;
   areas_ = barycentricAreas(rest.positions, rest.triangles);
   restArea_ = areas_.sum();
@@ -54,14 +50,13 @@ void ConformalFlow::prepareRestShape(const TriangleMesh& rest) {
   const CornerScalars cotangents = halfCotangents(rest.positions, rest.triangles);
   laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount());
   system_ = laplacian_;
-  cholesky_.analyze(system_, {.isOrdered = true});
   for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest.vertexCount(), 3);
 }
 
 void ConformalFlow::begin(Points&) { iterations_ = 0; }
 
 Status ConformalFlow::step(Points& positions, StepReport& report) {
-  if (iterations_ >= maxIterations_) {
+  if (iterations_ >= values_.maxIterations) {
     report = {Outcome::iterationLimit, 0, 0};
     return {};
   }
@@ -74,8 +69,8 @@ Status ConformalFlow::step(Points& positions, StepReport& report) {
   if (status.ok()) {
     report.change = meanSquaredMove(positions, area);
     ++iterations_;
-    report.outcome = report.change <= tolerance_            ? Outcome::converged
-                     : iterations_ >= maxIterations_ ? Outcome::iterationLimit
+    report.outcome = report.change <= values_.tolerance            ? Outcome::converged
+                     : iterations_ >= values_.maxIterations ? Outcome::iterationLimit
                                                      : Outcome::running;
     if (report.outcome == Outcome::converged) status = report.energy < kNeedle ? project(positions) : lost("ended as a needle");
   }
@@ -84,7 +79,7 @@ Status ConformalFlow::step(Points& positions, StepReport& report) {
 }
 
 double ConformalFlow::timeStep() const {
-  return firstTimeStep_ * std::min(kMostGrowth, std::pow(kGrowth, iterations_));
+  return values_.timeStep * std::min(kMostGrowth, std::pow(kGrowth, iterations_));
 }
 
 Status ConformalFlow::flow(Points& positions, double area) {
@@ -131,12 +126,12 @@ Status ConformalFlow::project(Points& positions) const {
 }
 
 MethodInfo sphericalMethod() {
-  return {"spherical",
-          {{"timeStep", ParameterKind::number, Stale::targets, 1e-3, 1e-6, 1},
-           {"tolerance", ParameterKind::number, Stale::targets, 1e-9, 0, 1},
-           {"maxIterations", ParameterKind::integer, Stale::targets, 300, 0, 1e6}},
-          [] { return std::unique_ptr<Method>(std::make_unique<ConformalFlow>()); },
-          requireSphere};
+  using P = SphericalParameters;
+  return methodInfo<ConformalFlow>("spherical",
+                                   {bind("timeStep", &P::timeStep, Stale::targets, NumberKind{{1e-6, 1}}),
+                                    bind("tolerance", &P::tolerance, Stale::targets, NumberKind{{0, 1}}),
+                                    bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)},
+                                   requireSphere);
 }
 
 }  // namespace whittle

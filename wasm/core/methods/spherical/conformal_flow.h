@@ -5,6 +5,12 @@
 
 namespace whittle {
 
+struct SphericalParameters {
+  double timeStep = 1e-3;    // τ of the first step, for a surface of area 1
+  double tolerance = 1e-9;   // mean squared move of a step as a share of the area
+  int maxIterations = 300;
+};
+
 /// Conformalized mean curvature flow (Kazhdan et al. 2012) of a closed surface of genus 0 to a sphere, the map by which a
 /// style mesh gives its normals to the unit sphere (2021, §3.1). One step solves
 ///
@@ -22,16 +28,16 @@ namespace whittle {
 ///
 /// The energy that is reported is Dirichlet's over the area: at least 1, and 1 only where the map keeps angles. Each step
 /// factors a matrix anew and allocates for it.
-class ConformalFlow : public Method {
+class ConformalFlow : public MethodOf<SphericalParameters> {
  public:
-  /// Of a mesh that `requireSphere` lets through.
-  Status prepare(const TriangleMesh& rest, const Settings& settings, Stale stale) override;
+  /// @param rest a mesh that `requireSphere` lets through
+  std::vector<Stage> plan(const TriangleMesh& rest, const SphericalParameters& values, Stale stale) override;
   void begin(Points& positions) override;
   /// Fails with `numericalFailure` where the flow loses its numbers or ends folded; the positions are then those before.
   Status step(Points& positions, StepReport& report) override;
 
  private:
-  void prepareRestShape(const TriangleMesh& rest);
+  void measure(const TriangleMesh& rest);
   /// Moves the surface by one solve; `area` is its area before.
   Status flow(Points& positions, double area);
   /// The time step of this iteration.
@@ -43,9 +49,7 @@ class ConformalFlow : public Method {
   /// Rounds the surface to the balanced sphere. Fails if that is folded.
   Status project(Points& positions) const;
 
-  double firstTimeStep_ = 0;  // τ
-  double tolerance_ = 0;
-  int maxIterations_ = 0;
+  SphericalParameters values_;
 
   // Prepared once per mesh
   const TriangleMesh* rest_ = nullptr;

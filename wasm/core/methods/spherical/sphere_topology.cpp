@@ -35,7 +35,7 @@ std::string counted(Index count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-Status refuse(const std::string& message, Index element) { return Status::failure(Code::unsuitableMesh, message, element); }
+Status refuse(const std::string& message, Element element = {}) { return Status::failure(Code::unsuitableMesh, message, element); }
 
 /// Where a mesh is not what a sphere is made of: how many places, and the first.
 struct Faults {
@@ -45,8 +45,8 @@ struct Faults {
   void add(const DirectedEdge& edge) {
     if (count++ == 0) first = edge;
   }
-  std::string vertex() const { return "the first at vertex " + std::to_string(first.from); }
-  std::string face() const { return "the first at face " + std::to_string(first.face); }
+  Element vertex() const { return Element::vertex(first.from); }
+  Element face() const { return Element::face(first.face); }
 };
 
 /// Every edge must have two faces that pass it in opposite directions.
@@ -59,19 +59,19 @@ Status requireClosed(const std::vector<DirectedEdge>& edges) {
     if (next - e == 2 && edges[e].from == edges[e + 1].from) turned.add(edges[e]);
   }
   if (open.count > 0) {
-    return refuse("the surface is open along " + counted(open.count, "edge", "edges") + ", " + open.vertex() +
-                      "; close its holes, only a closed surface can become a sphere",
-                  open.first.from);
+    return refuse("the surface is open along " + counted(open.count, "edge", "edges") +
+                      ", the first at vertex {}; close its holes, only a closed surface can become a sphere",
+                  open.vertex());
   }
   if (crowded.count > 0) {
-    return refuse(counted(crowded.count, "edge joins", "edges join") + " three faces or more, " + crowded.vertex() +
-                      "; remove the inner faces so that one closed skin is left",
-                  crowded.first.from);
+    return refuse(counted(crowded.count, "edge joins", "edges join") +
+                      " three faces or more, the first at vertex {}; remove the inner faces so that one closed skin is left",
+                  crowded.vertex());
   }
   if (turned.count > 0) {
-    return refuse("neighbouring faces disagree about the outside along " + counted(turned.count, "edge", "edges") + ", " +
-                      turned.face() + "; make the face directions consistent",
-                  turned.first.face);
+    return refuse("neighbouring faces disagree about the outside along " + counted(turned.count, "edge", "edges") +
+                      ", the first at face {}; make the face directions consistent",
+                  turned.face());
   }
   return {};
 }
@@ -101,7 +101,7 @@ Status requireOneFan(const TriangleMesh& mesh, const std::vector<DirectedEdge>& 
     if (known < 0) known = root(c);
     if (known == root(c)) continue;
     const Index vertex = mesh.triangles(c / 3, c % 3);
-    return refuse("at vertex " + std::to_string(vertex) + " separate sheets touch in one point; split the vertex", vertex);
+    return refuse("at vertex {} separate sheets touch in one point; split the vertex", Element::vertex(vertex));
   }
   return {};
 }
@@ -112,17 +112,16 @@ Status requireGenusZero(const MeshReport& report) {
   const Index genus = (2 - (used - edges + report.faces)) / 2;  // Euler: V − E + F = 2 − 2g
   if (genus == 0) return {};
   return refuse("the surface has " + counted(genus, "handle or tunnel", "handles or tunnels") + " (genus " +
-                    std::to_string(genus) + "); only a shape without, of genus 0, can become a sphere",
-                -1);
+                    std::to_string(genus) + "); only a shape without, of genus 0, can become a sphere");
 }
 
 Status requireSoundFaces(const TriangleMesh& mesh, const MeshReport& report) {
   if (report.degenerateFaces == 0) return {};
   Index face = 0;
   while (thickness(mesh, face) > kDegenerateThickness) ++face;
-  return refuse(counted(report.degenerateFaces, "face has", "faces have") + " no area, the first is face " +
-                    std::to_string(face) + "; remove or remesh such faces",
-                face);
+  return refuse(counted(report.degenerateFaces, "face has", "faces have") +
+                    " no area, the first is face {}; remove or remesh such faces",
+                Element::face(face));
 }
 
 }  // namespace
@@ -130,7 +129,7 @@ Status requireSoundFaces(const TriangleMesh& mesh, const MeshReport& report) {
 Status requireSphere(const TriangleMesh& mesh) {
   const MeshReport report = inspect(mesh);
   if (report.components > 1) {
-    return refuse("the mesh has " + std::to_string(report.components) + " separate parts; keep one, or join them to one skin", -1);
+    return refuse("the mesh has " + std::to_string(report.components) + " separate parts; keep one, or join them to one skin");
   }
   if (Status status = requireSoundFaces(mesh, report); !status.ok()) return status;
   const std::vector<DirectedEdge> edges = sortedEdges(mesh.triangles);

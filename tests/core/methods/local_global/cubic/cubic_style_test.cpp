@@ -21,27 +21,26 @@ constexpr double kSingle = 5e-5;
 struct Style {
   double lambda = 0.5;
   Vec3 axes = Vec3::Ones();
-  int polyhedron = 0;
-  Scalars rows = {};
+  std::string polyhedron = "cube";
+  Scalars rows = {};  // in its place
   Scalars orientation = Eigen::Vector4d(0, 0, 0, 1);
   Scalars frames = {};
-  int localStep = 0;
-  int acceleration = 0;
+  std::string localStep = "exact";
+  std::string acceleration = "nesterov";
   int maxIterations = 40;
 };
 
 void configure(Session& session, const Style& style) {
   REQUIRE(session.select("cubic").ok());
-  REQUIRE(session.setNumber("lambda", style.lambda).ok());
-  REQUIRE(session.setScalars("lambdaAxes", style.axes).ok());
-  REQUIRE(session.setNumber("polyhedron", style.polyhedron).ok());
-  REQUIRE(session.setScalars("polyhedron", style.rows).ok());
-  REQUIRE(session.setScalars("orientation", style.orientation).ok());
-  REQUIRE(session.setScalars("frames", style.frames).ok());
-  REQUIRE(session.setNumber("localStep", style.localStep).ok());
-  REQUIRE(session.setNumber("acceleration", style.acceleration).ok());
-  REQUIRE(session.setNumber("tolerance", 0).ok());
-  REQUIRE(session.setNumber("maxIterations", style.maxIterations).ok());
+  REQUIRE(session.set("lambda", encoded(style.lambda)).ok());
+  REQUIRE(session.set("lambdaAxes", encoded(style.axes)).ok());
+  REQUIRE(session.set("polyhedron", style.rows.size() ? encoded(style.rows) : encoded(style.polyhedron)).ok());
+  REQUIRE(session.set("orientation", encoded(style.orientation)).ok());
+  REQUIRE(session.set("frames", encoded(style.frames)).ok());
+  REQUIRE(session.set("localStep", encoded(style.localStep)).ok());
+  REQUIRE(session.set("acceleration", encoded(style.acceleration)).ok());
+  REQUIRE(session.set("tolerance", encoded(0)).ok());
+  REQUIRE(session.set("maxIterations", encoded(style.maxIterations)).ok());
 }
 
 StyledRun run(const TriangleMesh& mesh, const Style& style) {
@@ -104,8 +103,8 @@ double meanAlong(const Vec3& axis, const Points& positions, const Triangles& tri
 TEST_CASE("an orientation is as good as turning the mesh, in all styles and by both local steps") {
   const TriangleMesh mesh = bent(sphere(3));
   const Mat3 R = someRotation();
-  for (const int localStep : {0, 1}) {
-    for (Style style : {Style{}, Style{0.5, {1, 0.4, 0}}, Style{0.5, Vec3::Ones(), 1}, Style{0.5, Vec3::Ones(), 0, someRows()}}) {
+  for (const char* localStep : {"exact", "admm"}) {
+    for (Style style : {Style{}, Style{0.5, {1, 0.4, 0}}, Style{0.5, Vec3::Ones(), "hexagonal-prism"}, Style{0.5, Vec3::Ones(), "cube", someRows()}}) {
       style.localStep = localStep;
       const Points plain = run(turned(mesh, R.transpose()), style).positions * R.transpose();
       style.orientation = quaternionOf(R, 0.01);
@@ -161,9 +160,9 @@ TEST_CASE("weights of 1, no turn and B = I are the default, to the bit") {
   Session session;
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("cubic").ok());
-  REQUIRE(session.setNumber("lambda", 0.5).ok());
-  REQUIRE(session.setNumber("tolerance", 0).ok());
-  REQUIRE(session.setNumber("maxIterations", 40).ok());
+  REQUIRE(session.set("lambda", encoded(0.5)).ok());
+  REQUIRE(session.set("tolerance", encoded(0)).ok());
+  REQUIRE(session.set("maxIterations", encoded(40)).ok());
   REQUIRE(session.prepare().ok());
   const StyledRun plain = finish(session, mesh.vertexCount());
   Style style;
@@ -182,8 +181,8 @@ constexpr double kEnergyRounding = 1e-7;
 TEST_CASE("energy never rises, the same bits twice, nothing claimed on the way, whatever the style") {
   const TriangleMesh mesh = bent(sphere(3));
   for (Style style : awkwardStyles(mesh)) {
-    for (const int localStep : {0, 1}) {
-      for (const int acceleration : {0, 2}) {
+    for (const char* localStep : {"exact", "admm"}) {
+      for (const char* acceleration : {"nesterov", "none"}) {
         style.localStep = localStep;
         style.acceleration = acceleration;
         Session session;
@@ -216,7 +215,7 @@ TEST_CASE("without cubeness the mesh comes back from any frame, to the bit") {
   Style style;
   style.axes.setZero();
   style.orientation = quaternionOf(someRotation());
-  for (const int localStep : {0, 1}) {
+  for (const char* localStep : {"exact", "admm"}) {
     style.localStep = localStep;
     CHECK(largestMove(run(mesh, style).positions, mesh.positions) < kSingle);
   }
@@ -240,11 +239,11 @@ TEST_CASE("what cannot be a style is refused by name, and nothing of it stays") 
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("cubic").ok());
   const auto refuses = [&](const char* parameter, const Scalars& values, const char* what) {
-    const Status status = session.setScalars(parameter, values);
+    const Status status = session.set(parameter, encoded(values));
     CHECK(status.code == Code::badParameter);
     CHECK(status.message.find(parameter) != std::string::npos);
     CHECK(status.message.find(what) != std::string::npos);
-    return status.element;
+    return status.element.index;
   };
   for (const Vec3& axes : {Vec3(1, 1, -0.1), Vec3(101, 1, 1), Vec3(1, nan, 1)}) refuses("lambdaAxes", axes, "out of its range");
   refuses("lambdaAxes", Scalars::Ones(2), "needs 3");
@@ -262,18 +261,17 @@ TEST_CASE("what cannot be a style is refused by name, and nothing of it stays") 
     rows.segment<3>(3).setConstant(bad);
     refuses("polyhedron", rows, "row 1");
   }
-  CHECK(session.setScalars("lambda", Scalars::Ones(1)).code == Code::badParameter);
-  CHECK(session.setScalars("localStep", Scalars::Ones(3)).code == Code::badParameter);
+  CHECK(session.set("lambda", encoded(Scalars::Ones(2))).code == Code::badParameter);
+  CHECK(session.set("localStep", encoded(Scalars::Ones(3))).code == Code::badParameter);
   CHECK(session.prepare().ok());
 
-  REQUIRE(session.setScalars("lambdaAxes", Vec3(1, 1, 0.5)).ok());
-  REQUIRE(session.setNumber("polyhedron", 1).ok());
+  REQUIRE(session.set("lambdaAxes", encoded(Vec3(1, 1, 0.5))).ok());
+  REQUIRE(session.set("polyhedron", encoded("hexagonal-prism")).ok());
   const Status status = session.prepare();
   CHECK(status.code == Code::badParameter);
   CHECK(status.message.find("lambdaAxes") != std::string::npos);
-  REQUIRE(session.setNumber("polyhedron", 0).ok());
-  REQUIRE(session.setScalars("polyhedron", someRows()).ok());
+  REQUIRE(session.set("polyhedron", encoded(someRows())).ok());
   CHECK(session.prepare().code == Code::badParameter);
-  REQUIRE(session.setScalars("polyhedron", Scalars()).ok());
+  REQUIRE(session.set("polyhedron", encoded("cube")).ok());
   CHECK(session.prepare().ok());
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "geometry/rotation_fit.h"
@@ -82,13 +83,13 @@ double bruteForce(Noise& noise, const PolyhedralVertex& vertex) {
 
 /// A matrix B of one's own: rows of unlike lengths, some of them parallel, all in one plane now and then.
 Polyhedron someMatrix(Noise& noise, Index rowCount) {
-  Scalars rows(3 * rowCount);
+  Points rows(rowCount, 3);
   const bool isFlat = noise() > 0.6;
   for (Index j = 0; j < rowCount; ++j) {
     Vec3 row = noise.direction() * (1.05 + noise());
     if (isFlat) row.z() = 0;
-    if (j > 0 && noise() > 0.8) row = -0.5 * rows.segment<3>(0);
-    rows.segment<3>(3 * j) = row;
+    if (j > 0 && noise() > 0.8) row = -0.5 * rows.row(0).transpose();
+    rows.row(j) = row.transpose();
   }
   return Polyhedron::ofRows(rows);
 }
@@ -126,9 +127,11 @@ std::vector<Vec3> faceNormals(const Polyhedron& polyhedron) {
 }  // namespace
 
 TEST_CASE("the polyhedra are what their names say") {
-  const std::size_t faces[] = {3, 4, 6, 7};  // pairs of opposite ones
-  for (std::size_t k = 0; k < Polyhedron::names().size(); ++k) {
-    const Polyhedron polyhedron = Polyhedron::named(k);
+  using Name = Polyhedron::Name;
+  const std::map<Name, std::size_t> faces = {
+      {Name::cube, 3}, {Name::hexagonalPrism, 4}, {Name::rhombicDodecahedron, 6}, {Name::truncatedOctahedron, 7}};  // pairs of opposite ones
+  for (const auto& [word, name] : Polyhedron::names()) {
+    const Polyhedron polyhedron = Polyhedron::named(name);
     double length = 0;
     for (Index j = 0; j < polyhedron.rowCount; ++j) {
       length += polyhedron.lengths[j];
@@ -140,14 +143,14 @@ TEST_CASE("the polyhedra are what their names say") {
       const auto same = [&](const Vec3& other) { return std::abs(other.dot(n)) > 1 - 1e-9; };
       if (std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(n);
     }
-    CHECK(distinct.size() == faces[k]);
+    CHECK(distinct.size() == faces.at(name));
   }
 }
 
 TEST_CASE("brute force and a tight ADMM never beat the exact step of any polyhedron") {
   Noise noise;
-  for (std::size_t k = 0; k < Polyhedron::names().size(); ++k) {
-    const Polyhedron polyhedron = Polyhedron::named(k);
+  for (const auto& [word, name] : Polyhedron::names()) {
+    const Polyhedron polyhedron = Polyhedron::named(name);
     const CubicAdmm admm(polyhedron, {1e-12, 1e-10, 1e-10, 20000});
     for (const double lambda : {0.05, 0.3, 1.0, 2.0, 5.5}) {
       int certified = 0;
@@ -169,7 +172,7 @@ TEST_CASE("brute force and a tight ADMM never beat the exact step of any polyhed
           certified += solved.certified[lane];
         }
       }
-      CAPTURE(k);
+      INFO(word);
       CAPTURE(lambda);
       if (lambda <= 2) CHECK(certified >= 44);
     }
@@ -235,16 +238,16 @@ TEST_CASE("a box of any edges, some of them none: the cube's step, the search an
 
 TEST_CASE("a sphere takes on the faces of each polyhedron, with falling energy") {
   const TriangleMesh mesh = sphere(4);
-  for (std::size_t k = 0; k < Polyhedron::names().size(); ++k) {
-    const std::vector<Vec3> faces = faceNormals(Polyhedron::named(k));
-    for (const double localStep : {0.0, 1.0}) {
+  for (const auto& [word, name] : Polyhedron::names()) {
+    const std::vector<Vec3> faces = faceNormals(Polyhedron::named(name));
+    for (const char* localStep : {"exact", "admm"}) {
       Session session;
       REQUIRE(session.load(mesh).ok());
       REQUIRE(session.select("cubic").ok());
-      REQUIRE(session.setNumber("lambda", 0.5).ok());
-      REQUIRE(session.setNumber("polyhedron", static_cast<double>(k)).ok());
-      REQUIRE(session.setNumber("localStep", localStep).ok());
-      REQUIRE(session.setNumber("maxIterations", 60).ok());
+      REQUIRE(session.set("lambda", encoded(0.5)).ok());
+      REQUIRE(session.set("polyhedron", encoded(word)).ok());
+      REQUIRE(session.set("localStep", encoded(localStep)).ok());
+      REQUIRE(session.set("maxIterations", encoded(60)).ok());
       REQUIRE(session.prepare().ok());
       StepReport report;
       double before = std::numeric_limits<double>::infinity();
@@ -255,7 +258,7 @@ TEST_CASE("a sphere takes on the faces of each polyhedron, with falling energy")
       } while (report.outcome == Outcome::running);
       Points positions(mesh.vertexCount(), 3);
       session.copyPositions(positions.data());
-      CAPTURE(k);
+      INFO(word);
       CHECK(angleTo(faces, positions, mesh.triangles) < 0.6 * angleTo(faces, mesh.positions, mesh.triangles));
     }
   }

@@ -80,12 +80,12 @@ Looked look(const EdgeSet& edges, const LaneRows& displacements, const std::vect
     const ElementRange range{first, std::min(first + size, edges.elementCount())};
     MatrixLanes* covariances = &result.covariances[range.firstBatch()];
     result.energy += edges.gatherCovariances(displacements, range, covariances, result.residual);
-    std::vector<MatrixLanes> turns;
+    std::vector<MatrixLanes> rotationChanges;
     for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b) {
-      turns.push_back(turnOf(rotations[b]));
-      result.energy -= sumOf(toDouble(traceOfProduct(turns.back(), edges.restCovariances()[b] + result.covariances[b])));
+      rotationChanges.push_back(rotationChange(rotations[b]));
+      result.energy -= sumOf(toDouble(traceOfProduct(rotationChanges.back(), edges.restCovariances()[b] + result.covariances[b])));
     }
-    edges.addTurned(turns.data(), range, result.residual);
+    edges.addRotationChanges(rotationChanges.data(), range, result.residual);
   }
   return result;
 }
@@ -143,7 +143,7 @@ TEST_CASE("what thin faces say is not lost on the others") {
     const Points output = rest.positions + toPoints(displacements, n);
     const Looked here = look(*edges, displacements, rotations, edges->elementCount());
     CHECK(here.energy == doctest::Approx(energyByDefinition(kind, rest, output, R)).epsilon(1e-6));
-    // −L δ as it is in double precision; what the turns add is the same at rest.
+    // −L δ as it is in double precision; what the rotations add is the same at rest.
     const Looked atRest = look(*edges, LaneRows(displacements.size()), rotations, edges->elementCount());
     const Points forces = -denseLaplacian(rest) * (output - rest.positions);
     const Points found = toPoints(here.residual, n) - toPoints(atRest.residual, n);

@@ -12,8 +12,8 @@ using namespace whittle::testing;
 
 namespace {
 
-enum { kArap, kFarap, kAcap };
-const int kAll[] = {kArap, kFarap, kAcap};
+const std::string kArap = "arap", kFarap = "farap", kAcap = "acap";
+const std::string kAll[] = {kArap, kFarap, kAcap};
 
 double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().norm().maxCoeff(); }
 
@@ -31,9 +31,9 @@ GaussMapData sphereStyle(int levels) {
 
 TEST_CASE("with targets that stay, the energy never rises") {
   for (const TriangleMesh& mesh : {bent(sphere(3)), bent(grid(12)), torus(20), together(bent(sphere(2)), torus(12), {4, 0, 0})}) {
-    for (const int regularizer : kAll) {
+    for (const std::string& regularizer : kAll) {
       for (const double lambda : {0.1, 1.0, 8.0}) {
-        for (const int acceleration : {0, 2}) {
+        for (const char* acceleration : {"nesterov", "none"}) {
           const StyledRun result = run(mesh, {octahedronStyle(), lambda, regularizer, false, 1e-4, 120, acceleration});
           CHECK(result.positions.allFinite());
           requireMonotone(result.energies);
@@ -46,7 +46,7 @@ TEST_CASE("with targets that stay, the energy never rises") {
 TEST_CASE("a sphere in the style of a cube is a cube") {
   const TriangleMesh mesh = sphere(4);
   const GaussMap cube(cubeStyle());
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     const StyledRun result = run(mesh, {cubeStyle(), 4, regularizer, false, 1e-4, 1000});
     CHECK(angleToStyle(result.positions, mesh.triangles, cube) < 8.5);
     // How much of its box it fills: a sphere 0.52.
@@ -66,7 +66,7 @@ TEST_CASE("normals come closer to the style, the more the higher lambda is") {
   for (const TriangleMesh& mesh : {bent(sphere(3)), torus(24), bent(grid(16)), bent(longBox(12, 5))}) {
     for (const GaussMapData& data : {cubeStyle(), octahedronStyle()}) {
       const GaussMap style(data);
-      for (const int regularizer : kAll) {
+      for (const std::string& regularizer : kAll) {
         double last = angleToStyle(mesh.positions, mesh.triangles, style);
         for (const double lambda : {0.2, 2.0}) {
           const StyledRun result = run(mesh, {data, lambda, regularizer});
@@ -84,7 +84,7 @@ TEST_CASE("turning style and mesh together turns the result") {
   const Mat3 R = someRotation();
   TriangleMesh turned = mesh;
   turned.positions = mesh.positions * R.transpose();
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     for (const bool isDynamic : {false, true}) {
       for (const bool isSphere : {false, true}) {
         Analogy analogy{isSphere ? sphereStyle(2) : octahedronStyle(), 1, regularizer, isDynamic, 3e-3, 25};
@@ -104,7 +104,7 @@ TEST_CASE("turning style and mesh together turns the result") {
 
 TEST_CASE("a style that asks for what is there leaves the mesh alone, to the bit without lambda") {
   for (const TriangleMesh& mesh : {bent(sphere(3)), bent(grid(9)), torus(14)}) {
-    for (const int regularizer : kAll) {
+    for (const std::string& regularizer : kAll) {
       for (const bool isDynamic : {false, true}) {
         CHECK(largestMove(run(mesh, {sphereStyle(3), 1, regularizer, isDynamic}).positions, mesh.positions) < 2e-6);
         CHECK(largestMove(run(mesh, {cubeStyle(), 0, regularizer, isDynamic}).positions, mesh.positions) == 0);
@@ -123,13 +123,13 @@ TEST_CASE("scales make growing free, rotations alone do not") {
     handles.targets.row(h) = mesh.positions.row(handles.vertices[h]) * similarity.transpose();
   }
   Session session;
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     REQUIRE(session.load(mesh).ok());
     REQUIRE(session.select("arap").ok());
-    REQUIRE(session.setNumber("regularizer", regularizer).ok());
-    REQUIRE(session.setNumber("tolerance", 1e-9).ok());
-    REQUIRE(session.setNumber("maxIterations", 3000).ok());
-    REQUIRE(session.setHandles(handles).ok());
+    REQUIRE(session.set("regularizer", encoded(regularizer)).ok());
+    REQUIRE(session.set("tolerance", encoded(1e-9)).ok());
+    REQUIRE(session.set("maxIterations", encoded(3000)).ok());
+    REQUIRE(session.set("handles", encoded(handles)).ok());
     REQUIRE(session.prepare().ok());
     StepReport report;
     while (report.outcome == Outcome::running) REQUIRE(session.step(report).ok());
@@ -150,7 +150,7 @@ TEST_CASE("scales make growing free, rotations alone do not") {
 TEST_CASE("targets that follow the output are other targets") {
   const TriangleMesh mesh = bent(sphere(3));
   const GaussMap style(octahedronStyle());
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     const StyledRun fixed = run(mesh, {octahedronStyle(), 2, regularizer}), dynamic = run(mesh, {octahedronStyle(), 2, regularizer, true});
     CHECK(largestMove(fixed.positions, dynamic.positions) > 1e-3);
     CHECK(dynamic.positions.allFinite());
@@ -166,12 +166,12 @@ TEST_CASE("handles are met and lambda acts where it is") {
   Scalars upper(mesh.vertexCount());
   for (Index v = 0; v < mesh.vertexCount(); ++v) upper[v] = mesh.positions(v, 2) > 0.2 ? 3 : 0;
   const GaussMap cube(cubeStyle());
-  for (const int regularizer : kAll) {
-    const StyledRun held = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, 0, handles});
+  for (const std::string& regularizer : kAll) {
+    const StyledRun held = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, "nesterov", handles});
     for (int h = 0; h < 3; ++h) CHECK((held.positions.row(handles.vertices[h]) - handles.targets.row(h)).norm() < 1e-9);
     requireMonotone(held.energies);
 
-    const StyledRun half = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, 0, {}, upper});
+    const StyledRun half = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, "nesterov", {}, upper});
     const auto angles = [&](const Points& positions, bool isUpper) {
       Triangles some(0, 3);
       for (Index f = 0; f < mesh.faceCount(); ++f) {
@@ -196,7 +196,7 @@ TEST_CASE("vertices without a normal have no target") {
   mesh.triangles.row(faces) << count, count + 1, count + 2;  // two sheets back to back
   mesh.triangles.row(faces + 1) << count, count + 2, count + 1;
   mesh.triangles.row(faces + 2) << 0, 0, 1;
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     for (const bool isDynamic : {false, true}) {
       const StyledRun result = run(mesh, {octahedronStyle(), 2, regularizer, isDynamic});
       CHECK(result.positions.allFinite());
@@ -207,7 +207,7 @@ TEST_CASE("vertices without a normal have no target") {
 
 TEST_CASE("the same bits twice, and a step allocates nothing") {
   const TriangleMesh mesh = bent(sphere(3));
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     for (const bool isDynamic : {false, true}) {
       const Analogy analogy{octahedronStyle(), 1, regularizer, isDynamic, 3e-3, 20};
       CHECK(run(mesh, analogy).positions == run(mesh, analogy).positions);
@@ -227,14 +227,14 @@ TEST_CASE("what an analogy cannot work with is refused with a sentence") {
   REQUIRE(session.load(sphere(1)).ok());
   REQUIRE(session.select("analogy").ok());
   CHECK(session.prepare().message.find("needs a style") != std::string::npos);
-  CHECK(session.setStyle("style", GaussMapData{}).code == Code::badParameter);
-  CHECK(session.setScalars("lambdaPerVertex", Scalars::Ones(5)).message.find("5 numbers for 18 vertices") != std::string::npos);
+  CHECK(session.set("style", encoded(GaussMapData{})).code == Code::badParameter);
+  CHECK(session.set("lambdaPerVertex", encoded(Scalars::Ones(5))).message.find("5 numbers for 18 vertices") != std::string::npos);
   Scalars negative = Scalars::Ones(18);
   negative[3] = -1;
-  const Status status = session.setScalars("lambdaPerVertex", negative);
+  const Status status = session.set("lambdaPerVertex", encoded(negative));
   CHECK(status.message.find("vertex 3") != std::string::npos);
-  CHECK(status.element == 3);
-  CHECK(session.setScalars("lambda", Scalars::Ones(18)).code == Code::badParameter);
-  CHECK(session.setNumber("dynamicTargets", 0.5).code == Code::badParameter);
-  CHECK(session.setStyle("lambda", cubeStyle()).code == Code::badParameter);
+  CHECK(status.element.index == 3);
+  CHECK(session.set("lambda", encoded(Scalars::Ones(18))).code == Code::badParameter);
+  CHECK(session.set("dynamicTargets", encoded(0.5)).code == Code::badParameter);
+  CHECK(session.set("lambda", encoded(cubeStyle())).code == Code::badParameter);
 }

@@ -26,10 +26,10 @@ struct Creased {
 
 void prepareCreased(Session& session, const Creased& creased) {
   REQUIRE(session.select("developable").ok());
-  REQUIRE(session.setNumber("lambda", creased.lambda).ok());
-  REQUIRE(session.setNumber("creases", creased.creases).ok());
-  REQUIRE(session.setNumber("maxIterations", creased.maxIterations).ok());
-  REQUIRE(session.setHandles(creased.handles).ok());
+  REQUIRE(session.set("lambda", encoded(creased.lambda)).ok());
+  REQUIRE(session.set("creases", encoded(creased.creases)).ok());
+  REQUIRE(session.set("maxIterations", encoded(creased.maxIterations)).ok());
+  REQUIRE(session.set("handles", encoded(creased.handles)).ok());
   REQUIRE(session.prepare().ok());
 }
 

@@ -13,8 +13,8 @@ using namespace whittle::testing;
 
 namespace {
 
-enum { kArap, kFarap, kAcap };
-const int kAll[] = {kArap, kFarap, kAcap};
+const std::string kArap = "arap", kFarap = "farap", kAcap = "acap";
+const std::string kAll[] = {kArap, kFarap, kAcap};
 
 /// The mesh in the frame in which the core computes.
 TriangleMesh inUnitFrame(TriangleMesh mesh) {
@@ -106,7 +106,7 @@ struct Halfway {
 };
 
 Halfway halfway(const TriangleMesh& unit, Analogy analogy, int steps) {
-  analogy.acceleration = 2;  // none: what is reported is then the energy of what the step before gave
+  analogy.acceleration = "none";  // what is reported is then the energy of what the step before gave
   Session session;
   REQUIRE(session.load(unit).ok());
   prepareAnalogy(session, analogy);
@@ -126,10 +126,10 @@ TEST_CASE("the reported energy is the one of the definition, and the global step
   Noise noise;
   Scalars own(unit.vertexCount());
   for (Index v = 0; v < own.size(); ++v) own[v] = 1 + noise();
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     for (const bool isDynamic : {false, true}) {
       for (const Scalars& lambdaPerVertex : {Scalars(), own}) {
-        const Analogy analogy{cubeStyle(), 0.7, regularizer, isDynamic, 0, 300, 2, {}, lambdaPerVertex};
+        const Analogy analogy{cubeStyle(), 0.7, regularizer, isDynamic, 0, 300, "none", {}, lambdaPerVertex};
         for (const int steps : {0, 4}) {
           const Halfway at = halfway(unit, analogy, steps);
           CHECK(at.energy == doctest::Approx(plainEnergy(unit, at.output, analogy)).epsilon(1e-6));
@@ -141,7 +141,7 @@ TEST_CASE("the reported energy is the one of the definition, and the global step
 
 TEST_CASE("the global step is where the energy of these rotations and scales has no slope") {
   const TriangleMesh unit = inUnitFrame(bent(sphere(2)));
-  for (const int regularizer : kAll) {
+  for (const std::string& regularizer : kAll) {
     Analogy analogy{octahedronStyle(), 1.3, regularizer};
     const Points from = halfway(unit, analogy, 3).output, to = halfway(unit, analogy, 4).output;
     std::vector<PlainElement> fitted = plainElements(unit, from, analogy), moved = plainElements(unit, to, analogy);

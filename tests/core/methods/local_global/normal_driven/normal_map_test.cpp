@@ -14,36 +14,36 @@ using namespace whittle::testing;
 
 namespace {
 
-/// A relief of the same slope all over, whose texture coordinates are a linear map of x and y.
-Relief slopeOn(const TriangleMesh& mesh, const Eigen::Matrix2d& toUv, const Eigen::Vector2d& slope) {
-  Relief relief{CornerPairs(3 * mesh.faceCount(), 2), CornerPairs(3 * mesh.faceCount(), 2)};
+/// A texture of the same slope all over, whose texture coordinates are a linear map of x and y.
+TextureSlopes slopeOn(const TriangleMesh& mesh, const Eigen::Matrix2d& toUv, const Eigen::Vector2d& slope) {
+  TextureSlopes texture{CornerPairs(3 * mesh.faceCount(), 2), CornerPairs(3 * mesh.faceCount(), 2)};
   for (Index c = 0; c < 3 * mesh.faceCount(); ++c) {
     const auto place = mesh.positions.row(mesh.triangles(c / 3, c % 3)).head<2>();
-    relief.uvs.row(c) = (toUv * place.transpose()).transpose().cast<float>();
-    relief.slopes.row(c) = slope.transpose().cast<float>();
+    texture.uvs.row(c) = (toUv * place.transpose()).transpose().cast<float>();
+    texture.slopes.row(c) = slope.transpose().cast<float>();
   }
-  return relief;
+  return texture;
 }
 
 Eigen::Matrix2d mirroredX() { return Eigen::Vector2d(-1, 1).asDiagonal(); }
 
 /// Waves over the plane, their slopes in its own coordinates.
-Relief waves(const TriangleMesh& mesh, double height, double periods) {
-  Relief relief = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0, 0});
+TextureSlopes waves(const TriangleMesh& mesh, double height, double periods) {
+  TextureSlopes texture = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0, 0});
   const double k = 2 * EIGEN_PI * periods;
-  for (Index c = 0; c < relief.slopes.rows(); ++c) {
-    const double u = relief.uvs(c, 0), v = relief.uvs(c, 1);
-    relief.slopes.row(c) << static_cast<float>(height * k * std::cos(k * u) * std::sin(k * v)),
+  for (Index c = 0; c < texture.slopes.rows(); ++c) {
+    const double u = texture.uvs(c, 0), v = texture.uvs(c, 1);
+    texture.slopes.row(c) << static_cast<float>(height * k * std::cos(k * u) * std::sin(k * v)),
         static_cast<float>(height * k * std::sin(k * u) * std::cos(k * v));
   }
-  return relief;
+  return texture;
 }
 
-void prepareNormalmap(Session& session, const TriangleMesh& mesh, const Relief& relief, int regularizer) {
+void prepareNormalmap(Session& session, const TriangleMesh& mesh, const TextureSlopes& texture, const std::string& regularizer) {
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("normalmap").ok());
-  REQUIRE(session.setRelief("image", relief).ok());
-  REQUIRE(session.setNumber("regularizer", regularizer).ok());
+  REQUIRE(session.set("image", encoded(texture)).ok());
+  REQUIRE(session.set("regularizer", encoded(regularizer)).ok());
   REQUIRE(session.prepare().ok());
 }
 
@@ -57,10 +57,10 @@ TEST_CASE("a slope tilts normals against it, in the frame of the texture") {
   const Points upright = vertexNormals(mesh.positions, mesh.triangles), faces = faceNormals(mesh.positions, mesh.triangles);
   const Eigen::Matrix2d plain = Eigen::Matrix2d::Identity(), stretched = Eigen::Vector2d(7, 0.3).asDiagonal();
   for (const Eigen::Matrix2d& toUv : {plain, stretched}) {
-    const Relief relief = slopeOn(mesh, toUv, {0.75, 0});
-    CHECK(farthest(raisedVertexNormals(mesh, upright, relief, 1), {-0.6, 0, 0.8}) < 1e-6);
-    CHECK(farthest(raisedFaceNormals(mesh, faces, relief, 1), {-0.6, 0, 0.8}) < 1e-6);
-    CHECK(farthest(raisedVertexNormals(mesh, upright, relief, -1), {0.6, 0, 0.8}) < 1e-6);
+    const TextureSlopes texture = slopeOn(mesh, toUv, {0.75, 0});
+    CHECK(farthest(raisedVertexNormals(mesh, upright, texture, 1), {-0.6, 0, 0.8}) < 1e-6);
+    CHECK(farthest(raisedFaceNormals(mesh, faces, texture, 1), {-0.6, 0, 0.8}) < 1e-6);
+    CHECK(farthest(raisedVertexNormals(mesh, upright, texture, -1), {0.6, 0, 0.8}) < 1e-6);
   }
   // u grows to the left: what rises with u falls with x; what rises with v still rises with y.
   CHECK(farthest(raisedVertexNormals(mesh, upright, slopeOn(mesh, mirroredX(), {0.75, 0}), 1), {0.6, 0, 0.8}) < 1e-6);
@@ -71,8 +71,8 @@ TEST_CASE("a slope tilts normals against it, in the frame of the texture") {
 TEST_CASE("at a seam a vertex has the mean of both sides") {
   // The left half carries the texture mirrored: a roof along the middle.
   const TriangleMesh mesh = grid(5);
-  const Relief right = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0.75, 0}), left = slopeOn(mesh, mirroredX(), {0.75, 0});
-  Relief roof = right;
+  const TextureSlopes right = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0.75, 0}), left = slopeOn(mesh, mirroredX(), {0.75, 0});
+  TextureSlopes roof = right;
   for (Index c = 0; c < roof.uvs.rows(); ++c) {
     const bool isLeft = mesh.positions(mesh.triangles(c / 3, 0), 0) + mesh.positions(mesh.triangles(c / 3, 1), 0) +
                             mesh.positions(mesh.triangles(c / 3, 2), 0) < 1.5;
@@ -90,18 +90,18 @@ TEST_CASE("at a seam a vertex has the mean of both sides") {
 TEST_CASE("what is flat, or has no frame, keeps its normal to the bit") {
   TriangleMesh mesh = bent(sphere(3));
   const Points normals = vertexNormals(mesh.positions, mesh.triangles), faces = faceNormals(mesh.positions, mesh.triangles);
-  const Relief steep = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0.5, 0.2});
+  const TextureSlopes steep = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0.5, 0.2});
   CHECK(raisedVertexNormals(mesh, normals, steep, 0) == normals);
   CHECK(raisedFaceNormals(mesh, faces, steep, 0) == faces);
-  Relief missing = steep, single = steep;
+  TextureSlopes missing = steep, single = steep;
   missing.uvs.setConstant(std::numeric_limits<float>::quiet_NaN());
   single.uvs.setConstant(0.5f);
-  for (const Relief& relief : {missing, single}) {
-    CHECK(raisedVertexNormals(mesh, normals, relief, 1) == normals);
-    CHECK(raisedFaceNormals(mesh, faces, relief, 1) == faces);
-    CHECK(validateRelief(relief, mesh.faceCount()).code == Code::unsuitableMesh);
+  for (const TextureSlopes& texture : {missing, single}) {
+    CHECK(raisedVertexNormals(mesh, normals, texture, 1) == normals);
+    CHECK(raisedFaceNormals(mesh, faces, texture, 1) == faces);
+    CHECK(validateTextureSlopes(texture, mesh.faceCount()).code == Code::unsuitableMesh);
   }
-  for (int regularizer = 0; regularizer < 3; ++regularizer) {
+  for (const std::string regularizer : {"arap", "farap", "acap"}) {
     Session session;
     prepareNormalmap(session, mesh, slopeOn(mesh, Eigen::Matrix2d::Identity(), {0, 0}), regularizer);
     StepReport report;
@@ -114,17 +114,17 @@ TEST_CASE("what is flat, or has no frame, keeps its normal to the bit") {
 
 TEST_CASE("the energy never rises, steps claim no memory, and faces come to face where the texture says") {
   const TriangleMesh mesh = grid(60);
-  const Relief relief = waves(mesh, 0.02, 2);
-  const Points targets = raisedFaceNormals(mesh, faceNormals(mesh.positions, mesh.triangles), relief, 1);
+  const TextureSlopes texture = waves(mesh, 0.02, 2);
+  const Points targets = raisedFaceNormals(mesh, faceNormals(mesh.positions, mesh.triangles), texture, 1);
   const auto meanAngle = [&](const Points& positions) {
     const Points normals = faceNormals(positions, mesh.triangles);
     double sum = 0;
     for (Index f = 0; f < mesh.faceCount(); ++f) sum += std::acos(std::min(1.0, normals.row(f).dot(targets.row(f))));
     return sum / mesh.faceCount() * 180 / EIGEN_PI;
   };
-  for (int regularizer = 0; regularizer < 3; ++regularizer) {
+  for (const std::string regularizer : {"arap", "farap", "acap"}) {
     Session session;
-    prepareNormalmap(session, mesh, relief, regularizer);
+    prepareNormalmap(session, mesh, texture, regularizer);
     StepReport report;
     REQUIRE(session.step(report).ok());
     double last = report.energy;
@@ -145,20 +145,20 @@ TEST_CASE("the energy never rises, steps claim no memory, and faces come to face
 
 TEST_CASE("what cannot be done with a texture is refused by name") {
   const TriangleMesh mesh = grid(4);
-  const Relief good = waves(mesh, 0.1, 1);
+  const TextureSlopes good = waves(mesh, 0.1, 1);
   Session session;
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("normalmap").ok());
   const Status none = session.prepare();
   CHECK(none.code == Code::badParameter);
   CHECK(none.message.find("needs a picture") != std::string::npos);
-  CHECK(session.setRelief("strength", good).code == Code::badParameter);
-  CHECK(session.setRelief("image", waves(grid(5), 0.1, 1)).code == Code::badParameter);
-  Relief infinite = good;
+  CHECK(session.set("strength", encoded(good)).code == Code::badParameter);
+  CHECK(session.set("image", encoded(waves(grid(5), 0.1, 1))).code == Code::badParameter);
+  TextureSlopes infinite = good;
   infinite.slopes(3, 1) = std::numeric_limits<float>::infinity();
-  CHECK(session.setRelief("image", infinite).code == Code::badParameter);
-  REQUIRE(session.setRelief("image", good).ok());
+  CHECK(session.set("image", encoded(infinite)).code == Code::badParameter);
+  REQUIRE(session.set("image", encoded(good)).ok());
   REQUIRE(session.prepare().ok());
-  REQUIRE(session.setRelief("image", std::nullopt).ok());
+  REQUIRE(session.set("image", EncodedValue()).ok());
   CHECK(session.prepare().code == Code::badParameter);
 }

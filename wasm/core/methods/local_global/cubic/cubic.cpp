@@ -4,14 +4,14 @@
 #include "methods/local_global/cubic/cubic_admm.h"
 #include "methods/local_global/cubic/cubic_exact.h"
 #include "methods/local_global/cubic/polyhedral_exact.h"
-#include "methods/local_global/local_global.h"
+#include "methods/local_global/local_global_method.h"
 
 namespace whittle {
 
 namespace {
 
-enum Parameter { kLambda, kLambdaPerVertex, kLambdaAxes, kPolyhedron, kOrientation, kFrames, kLocalStep, kOwnParameters };
-enum LocalStepChoice { kExact, kAdmm };
+/// Whether the style is a cube or, with axes of other weights, a box.
+bool isBox(const CubicParameters& values) { return values.polyhedron.isNamed() && values.polyhedron.name == Polyhedron::Name::cube; }
 
 /// Goes back to the guess in lanes where it is better.
 void keepBetter(const CubicLanes& vertices, Lanes weights, const Polyhedron& polyhedron, const QuaternionLanes& guess,
@@ -28,17 +28,28 @@ void keepBetter(const CubicLanes& vertices, Lanes weights, const Polyhedron& pol
 
 }  // namespace
 
-Status CubicLocalStep::prepare(const RestShape& rest, const Settings& settings) {
-  prepareVertices(rest, settings);
-  if (Status status = prepareStyle(settings); !status.ok()) return status;
-  frames_.prepare(settings.scalars[kOrientation], settings.scalars[kFrames], rest.mesh.vertexCount());
-  begin();
-  return {};
+Status CubicLocalStep::check(const CubicParameters& values) {
+  if (isBox(values) || values.lambdaAxes == Vec3::Ones()) return {};
+  return Status::failure(Code::badParameter,
+                         "only the cube has axes to weigh; leave lambdaAxes at 1, 1, 1 or choose the polyhedron \"cube\"");
 }
 
-void CubicLocalStep::prepareVertices(const RestShape& rest, const Settings& settings) {
-  const Scalars& own = settings.scalars[kLambdaPerVertex];
-  const auto cubeness = [&](Index v) { return own.size() ? own[v] : settings.numbers[kLambda]; };  // λ_i, Eq. 1
+std::vector<std::string> CubicLocalStep::warnings(const CubicParameters& values) {
+  const bool isFlat = values.lambdaPerVertex.size() ? values.lambdaPerVertex.isZero(0) : values.lambda == 0;
+  if (!isFlat || !values.handles.vertices.empty()) return {};
+  return {"λ is 0 everywhere and there are no handles, so nothing moves."};
+}
+
+void CubicLocalStep::prepare(const RestShape& rest, const CubicParameters& values) {
+  prepareVertices(rest, values);
+  prepareStyle(values);
+  frames_.prepare(values.orientation, values.frames, rest.mesh.vertexCount());
+  begin();
+}
+
+void CubicLocalStep::prepareVertices(const RestShape& rest, const CubicParameters& values) {
+  const Scalars& own = values.lambdaPerVertex;
+  const auto cubeness = [&](Index v) { return own.size() ? own[v] : values.lambda; };  // λ_i, Eq. 1
   const std::size_t batches = batchCount(rest.mesh.vertexCount());
   normals_.assign(batches, {splat(0), splat(0), splat(0)});
   weights_.assign(batches, splat(0));
@@ -49,29 +60,22 @@ void CubicLocalStep::prepareVertices(const RestShape& rest, const Settings& sett
   }
 }
 
-Status CubicLocalStep::prepareStyle(const Settings& settings) {
-  const Scalars& rows = settings.scalars[kPolyhedron];
-  const Vec3 lengths = settings.scalars[kLambdaAxes];
-  const bool isCube = rows.size() == 0 && settings.numbers[kPolyhedron] == 0;
-  if (!isCube && lengths != Vec3::Ones()) {
-    return Status::failure(Code::badParameter,
-                           "only the cube has axes to weigh; leave lambdaAxes at 1, 1, 1 or choose the polyhedron \"cube\"");
-  }
-  if (isCube) {
-    polyhedron_ = Polyhedron::box(lengths);
+void CubicLocalStep::prepareStyle(const CubicParameters& values) {
+  const auto& [name, rows] = values.polyhedron;
+  if (isBox(values)) {
+    polyhedron_ = Polyhedron::box(values.lambdaAxes);
   } else {
-    polyhedron_ = rows.size() ? Polyhedron::ofRows(rows) : Polyhedron::named(static_cast<std::size_t>(settings.numbers[kPolyhedron]));
+    polyhedron_ = values.polyhedron.isNamed() ? Polyhedron::named(name) : Polyhedron::ofRows(rows);
   }
   axes_ = Vec3::Ones();
-  if (static_cast<int>(settings.numbers[kLocalStep]) == kAdmm) {
+  if (values.localStep == CubicSolverKind::admm) {
     solver_ = std::make_unique<CubicAdmm>(polyhedron_);
-  } else if (isCube) {
+  } else if (isBox(values)) {
     solver_ = std::make_unique<CubicExact>();
-    axes_ = lengths;
+    axes_ = values.lambdaAxes;
   } else {
     solver_ = std::make_unique<PolyhedralExact>(polyhedron_);
   }
-  return {};
 }
 
 Lanes CubicLocalStep::fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) {
@@ -94,18 +98,18 @@ Lanes CubicLocalStep::solve(std::size_t batch, const MatrixLanes& M, bool neverW
 }
 
 MethodInfo cubicMethod() {
-  const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<CubicLocalStep>(), kOwnParameters);
-  };
-  return {"cubic",
-          withSharedParameters({{"lambda", ParameterKind::number, Stale::weights, 0.2, 0, 100},
-                                {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 100},
-                                vectorParameter("lambdaAxes", Stale::weights, 3, 1, 0, 100),
-                                choiceOrRowsParameter("polyhedron", Stale::weights, Polyhedron::names(), Polyhedron::kMostRows),
-                                {"orientation", ParameterKind::rotation, Stale::weights},
-                                {"frames", ParameterKind::rotations, Stale::weights},
-                                choiceParameter("localStep", Stale::weights, {"exact", "admm"})}),
-          create};
+  using P = CubicParameters;
+  const ChoiceKind<CubicSolverKind> solvers{{{"exact", CubicSolverKind::exact}, {"admm", CubicSolverKind::admm}}};
+  const ChoiceOrRowsKind<Polyhedron::Name> polyhedra{{Polyhedron::names()}, Polyhedron::kMostRows};
+  const ParameterList<P> own = {bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 100}}),
+                                bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 100}}),
+                                bind("lambdaAxes", &P::lambdaAxes, Stale::weights, VectorKind<3>{{0, 100}}),
+                                bind("polyhedron", &P::polyhedron, Stale::weights, polyhedra),
+                                bind("orientation", &P::orientation, Stale::weights, RotationKind{}),
+                                bind("frames", &P::frames, Stale::weights, RotationsKind{}),
+                                bind("localStep", &P::localStep, Stale::weights, solvers),
+                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+  return methodInfo<LocalGlobalMethod<CubicLocalStep>>("cubic", withGroup(own, &P::solver, solverParameters()));
 }
 
 }  // namespace whittle

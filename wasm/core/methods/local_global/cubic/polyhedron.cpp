@@ -6,8 +6,6 @@ namespace whittle {
 
 namespace {
 
-enum Name { kCube, kHexagonalPrism, kRhombicDodecahedron, kTruncatedOctahedron };
-
 void add(Polyhedron& polyhedron, const Vec3& direction, double length) {
   polyhedron.rows[polyhedron.rowCount] = direction.normalized();
   polyhedron.lengths[polyhedron.rowCount] = length;
@@ -16,23 +14,28 @@ void add(Polyhedron& polyhedron, const Vec3& direction, double length) {
 
 }  // namespace
 
-std::vector<const char*> Polyhedron::names() { return {"cube", "hexagonal-prism", "rhombic-dodecahedron", "truncated-octahedron"}; }
+Choices<Polyhedron::Name> Polyhedron::names() {
+  return {{"cube", Name::cube},
+          {"hexagonal-prism", Name::hexagonalPrism},
+          {"rhombic-dodecahedron", Name::rhombicDodecahedron},
+          {"truncated-octahedron", Name::truncatedOctahedron}};
+}
 
-Polyhedron Polyhedron::named(std::size_t index) {
+Polyhedron Polyhedron::named(Name name) {
   Polyhedron result;
-  switch (static_cast<Name>(index)) {
-    case kCube:
+  switch (name) {
+    case Name::cube:
       return box(Vec3::Ones());
-    case kHexagonalPrism:  // upright: y is up
+    case Name::hexagonalPrism:  // upright: y is up
       for (const Vec3& side : {Vec3(2, 0, 0), Vec3(1, 0, std::sqrt(3.0)), Vec3(-1, 0, std::sqrt(3.0))}) add(result, side, 2.0 / 3);
       add(result, Vec3::UnitY(), 1);
       break;
-    case kRhombicDodecahedron:
+    case Name::rhombicDodecahedron:
       for (const double y : {1, -1}) {
         for (const double z : {1, -1}) add(result, {1, y, z}, 0.75);
       }
       break;
-    case kTruncatedOctahedron:
+    case Name::truncatedOctahedron:
       for (int axis = 0; axis < 3; ++axis) {
         for (const double sign : {1, -1}) add(result, Vec3::Unit(axis) + sign * Vec3::Unit((axis + 1) % 3), 0.5);
       }
@@ -49,10 +52,10 @@ Polyhedron Polyhedron::box(const Vec3& lengths) {
   return result;
 }
 
-Polyhedron Polyhedron::ofRows(const Scalars& rows) {
+Polyhedron Polyhedron::ofRows(const Points& rows) {
   Polyhedron result;
-  for (Index j = 0; 3 * j < rows.size(); ++j) {
-    const Vec3 row = rows.segment<3>(3 * j);
+  for (Index j = 0; j < rows.rows(); ++j) {
+    const Vec3 row = rows.row(j).transpose();
     add(result, row, row.norm());
   }
   return result;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "methods/local_global/cubic/cubic_vertex.h"
+#include "methods/values/choice.h"
 
 namespace whittle {
 
@@ -11,19 +11,20 @@ namespace whittle {
 /// faces the shape takes on. Always centrally symmetric.
 struct Polyhedron {
   static constexpr Index kMostRows = 12;
+  enum class Name { cube, hexagonalPrism, rhombicDodecahedron, truncatedOctahedron };
 
   Index rowCount = 0;
   std::array<Vec3, kMostRows> rows;       // b_j, unit
   std::array<double, kMostRows> lengths;  // l_j
 
-  /// The names that `named` knows, the cube first.
-  static std::vector<const char*> names();
+  /// What people call them, the cube first.
+  static Choices<Name> names();
   /// Lengths are such that a given λ pulls about as strongly as with the cube: Σ l_j = 3.
-  static Polyhedron named(std::size_t index);
+  static Polyhedron named(Name name);
   /// A box, its edges along the axes; one of length 0 is none.
   static Polyhedron box(const Vec3& lengths);
-  /// The rows of a matrix B, xyz xyz …, no more than `kMostRows` and none of zeros: l_j b_j as they are.
-  static Polyhedron ofRows(const Scalars& rows);
+  /// The rows of a matrix B (#rows×3), no more than `kMostRows` and none of zeros: l_j b_j as they are.
+  static Polyhedron ofRows(const Points& rows);
 
   double support(const Vec3& s) const;
 };

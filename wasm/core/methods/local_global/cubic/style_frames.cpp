@@ -6,8 +6,6 @@ namespace whittle {
 
 namespace {
 
-using Quaternion = Eigen::Vector4d;  // x y z w
-
 bool isIdentity(const Quaternion& q) { return q.head<3>().isZero(0); }
 
 void setQuaternion(QuaternionLanes& q, int lane, const Quaternion& value) {
@@ -19,10 +17,10 @@ void setQuaternion(QuaternionLanes& q, int lane, const Quaternion& value) {
 
 }  // namespace
 
-void StyleFrames::prepare(const Scalars& orientation, const Scalars& own, Index vertexCount) {
+void StyleFrames::prepare(const Quaternion& orientation, const Quaternions& own, Index vertexCount) {
   const auto frameAt = [&](Index v) -> Quaternion {
-    const bool hasOwn = own.size() && !own.segment<4>(4 * v).isZero(0);
-    const Quaternion q = hasOwn ? Quaternion(own.segment<4>(4 * v)) : Quaternion(orientation);
+    const bool hasOwn = own.rows() && !own.row(v).isZero(0);
+    const Quaternion q = hasOwn ? Quaternion(own.row(v).transpose()) : orientation;
     return q.stableNormalized();
   };
   frames_.clear();

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "methods/values/rotation.h"
+#include "methods/values/rotations.h"
 #include "simd/lane_algebra.h"
 
 namespace whittle {
@@ -10,9 +12,9 @@ namespace whittle {
 /// rotation. The regularizer is |B Q_iᵀ R n|, so that it all comes to the usual step for M Q and Qᵀ R.
 class StyleFrames {
  public:
-  /// @param orientation the quaternion x y z w of all vertices
-  /// @param own those of single vertices (4·#V), or none; one of zeros says nothing
-  void prepare(const Scalars& orientation, const Scalars& own, Index vertexCount);
+  /// @param orientation the frame of all vertices
+  /// @param own frames of single vertices (#V×4), or none; one of zeros says nothing
+  void prepare(const Quaternion& orientation, const Quaternions& own, Index vertexCount);
 
   /// Whether every frame is that of the file: then there is nothing to turn.
   bool areIdentity() const { return frames_.empty(); }

@@ -7,7 +7,7 @@ namespace whittle {
 
 std::unique_ptr<EdgeSet> makeEdgeSet(EdgeSetKind kind, const TriangleMesh& rest, const CornerScalars& halfCotangents) {
   if (kind == EdgeSetKind::faces) return std::make_unique<FaceEdges>(rest, halfCotangents);
-  return std::make_unique<VertexRings>(rest, halfCotangents);
+  return std::make_unique<SpokesAndRims>(rest, halfCotangents);
 }
 
 Mat3 cornerGradients(const TriangleMesh& rest, const CornerScalars& halfCotangents, Index face) {

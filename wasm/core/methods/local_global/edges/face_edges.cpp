@@ -54,10 +54,10 @@ double FaceEdges::gatherCovariances(const LaneRows& displacements, ElementRange 
   return sumOf(energies);
 }
 
-void FaceEdges::addTurned(const MatrixLanes* turns, ElementRange range, LaneRows& residual) const {
-  for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b, ++turns) {
+void FaceEdges::addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const {
+  for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b, ++rotationChanges) {
     const Faces& faces = faces_[b];
-    const VectorLanes second = *turns * faces.gradients[0], third = *turns * faces.gradients[1];
+    const VectorLanes second = *rotationChanges * faces.gradients[0], third = *rotationChanges * faces.gradients[1];
     addToRows(residual.data(), faces.corners[0], -(second + third));
     addToRows(residual.data(), faces.corners[1], second);
     addToRows(residual.data(), faces.corners[2], third);

@@ -12,7 +12,7 @@ class FaceEdges : public EdgeSet {
   int visits() const override { return 1; }
   double gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
                            LaneRows& residual) const override;
-  void addTurned(const MatrixLanes* turns, ElementRange range, LaneRows& residual) const override;
+  void addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const override;
 
  private:
   /// Four faces; zeros for what fills up the last batch.

@@ -66,7 +66,7 @@ class RingCollector {
 
 }  // namespace
 
-VertexRings::VertexRings(const TriangleMesh& rest, const CornerScalars& halfCotangents) : EdgeSet(rest.vertexCount(), rest.vertexCount()) {
+SpokesAndRims::SpokesAndRims(const TriangleMesh& rest, const CornerScalars& halfCotangents) : EdgeSet(rest.vertexCount(), rest.vertexCount()) {
   RingCollector collector(rest, halfCotangents);
   std::vector<WideSpoke> rings[4];
   start_.assign(1, 0);
@@ -100,42 +100,42 @@ VertexRings::VertexRings(const TriangleMesh& rest, const CornerScalars& halfCota
   }
 }
 
-double VertexRings::gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
+double SpokesAndRims::gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
                                       LaneRows& residual) const {
   const LaneRow* rows = displacements.data();
   DoubleLanes energies{};
   for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b, ++covariances) {
     const VectorLanes own = loadRows(rows + 4 * b);
     MatrixLanes M = zeroMatrices();
-    VectorLanes pull{splat(0), splat(0), splat(0)};  // −L δ
+    VectorLanes forces{splat(0), splat(0), splat(0)};  // −L δ
     Lanes energy = splat(0);
     for (Index p = start_[b]; p < start_[b + 1]; ++p) {
       const Spokes& spokes = spokes_[p];
       const VectorLanes u = loadRows(rows, spokes.neighbours) - own;
       addOuter(M, spokes.gradients, u);
       const VectorLanes force = spokes.weights * u;
-      pull = pull + force;
+      forces = forces + force;
       energy += dot(force, u);
     }
     for (auto& row : M.m) {
       for (Lanes& entry : row) entry *= kScale;
     }
     *covariances = M;
-    addToRows(&residual[4 * b], pull);
+    addToRows(&residual[4 * b], forces);
     energies += toDouble(energy);
   }
   return kVisits / 2 * sumOf(energies);  // each edge is seen from both of its ends
 }
 
-void VertexRings::addTurned(const MatrixLanes* turns, ElementRange range, LaneRows& residual) const {
+void SpokesAndRims::addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const {
   LaneRow* rows = residual.data();
-  for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b, ++turns) {
-    const MatrixLanes T = *turns;
+  for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b, ++rotationChanges) {
+    const MatrixLanes T = *rotationChanges;
     VectorLanes own{splat(0), splat(0), splat(0)};
     for (Index p = start_[b]; p < start_[b + 1]; ++p) {
-      const VectorLanes turned = T * spokes_[p].gradients;
-      addToRows(rows, spokes_[p].neighbours, turned);
-      own = own - turned;
+      const VectorLanes change = T * spokes_[p].gradients;
+      addToRows(rows, spokes_[p].neighbours, change);
+      own = own - change;
     }
     addToRows(rows + 4 * b, own);
   }

@@ -6,14 +6,14 @@ namespace whittle {
 
 /// Spokes and rims in ring form: Ĝ_kj = ⅓ Σ g_fj over the faces f that k and j share, so that M′_k = 6 Σ_j Ĝ_kj (δ_j − δ_k)ᵀ and
 /// b_j = Σ_k R_k Ĝ_kj, over the ring of each vertex.
-class VertexRings : public EdgeSet {
+class SpokesAndRims : public EdgeSet {
  public:
-  VertexRings(const TriangleMesh& rest, const CornerScalars& halfCotangents);
+  SpokesAndRims(const TriangleMesh& rest, const CornerScalars& halfCotangents);
 
   int visits() const override { return 3; }  // those of the corners of each face
   double gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
                            LaneRows& residual) const override;
-  void addTurned(const MatrixLanes* turns, ElementRange range, LaneRows& residual) const override;
+  void addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const override;
 
  private:
   /// One neighbour j of each of four vertices k. Where a ring is at its end before the others, k itself with zeros. Ĝ_kj is never longer

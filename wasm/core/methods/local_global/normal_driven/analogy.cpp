@@ -1,34 +1,27 @@
 #include "methods/local_global/normal_driven/analogy.h"
 
 #include "geometry/surface.h"
-#include "methods/local_global/local_global.h"
+#include "methods/local_global/local_global_method.h"
 
 namespace whittle {
 
-namespace {
+Status AnalogyLocalStep::check(const AnalogyParameters& values) {
+  if (values.style) return {};
+  return Status::failure(Code::badParameter, "an analogy needs a style; choose one, for example the cube");
+}
 
-enum Parameter { kStyle, kLambda, kRegularizer, kDynamicTargets, kLambdaPerVertex, kOwnParameters };
-
-}  // namespace
-
-Rigidity NormalDriven::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
-
-Status NormalDriven::prepare(const RestShape& rest, const Settings& settings) {
-  if (!settings.style) {
-    return Status::failure(Code::badParameter, "an analogy needs a style; choose one, for example the cube");
-  }
-  style_ = settings.style;
+void AnalogyLocalStep::prepare(const RestShape& rest, const AnalogyParameters& values) {
+  style_ = values.style;
   triangles_ = &rest.mesh.triangles;
-  rigidity_ = rigidity(settings);
-  isDynamic_ = settings.numbers[kDynamicTargets] != 0;
-  targets_.prepare(rest, rigidity_, settings.numbers[kLambda], settings.scalars[kLambdaPerVertex]);
+  rigidity_ = values.regularizer;
+  isDynamic_ = values.dynamicTargets;
+  targets_.prepare(rest, rigidity_, values.lambda, values.lambdaPerVertex);
   present_ = targets_.normals();
   scratch_.resize(rest.mesh.vertexCount());
   lookUpTargets();
-  return {};
 }
 
-void NormalDriven::observe(const Points& positions) {
+void AnalogyLocalStep::observe(const Points& positions) {
   if (!isDynamic_) return;
   if (rigidity_ == Rigidity::farap) {
     faceNormals(positions, *triangles_, present_);
@@ -38,7 +31,7 @@ void NormalDriven::observe(const Points& positions) {
   lookUpTargets();
 }
 
-void NormalDriven::lookUpTargets() {
+void AnalogyLocalStep::lookUpTargets() {
   for (Index k = 0; k < targets_.count(); ++k) {
     const Vec3 n = present_.row(k).transpose();
     if (targets_.strengths()[k] != 0 && !n.isZero(0)) targets_.set(k, (*style_)(n));
@@ -46,16 +39,14 @@ void NormalDriven::lookUpTargets() {
 }
 
 MethodInfo analogyMethod() {
-  const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<NormalDriven>(), kOwnParameters);
-  };
-  return {"analogy",
-          withSharedParameters({{"style", ParameterKind::style, Stale::weights},
-                                {"lambda", ParameterKind::number, Stale::weights, 1, 0, 100},
-                                rigidityParameter(),
-                                flagParameter("dynamicTargets", Stale::weights),
-                                {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 100}}),
-          create};
+  using P = AnalogyParameters;
+  const ParameterList<P> own = {bind("style", &P::style, Stale::weights, StyleKind{}),
+                                bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 100}}),
+                                bind("regularizer", &P::regularizer, Stale::all, rigidities()),
+                                bind("dynamicTargets", &P::dynamicTargets, Stale::weights, FlagKind{}),
+                                bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 100}}),
+                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+  return methodInfo<LocalGlobalMethod<AnalogyLocalStep>>("analogy", withGroup(own, &P::solver, solverParameters()));
 }
 
 }  // namespace whittle

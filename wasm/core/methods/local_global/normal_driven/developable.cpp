@@ -1,22 +1,22 @@
 #include "methods/local_global/normal_driven/developable.h"
 
-#include "methods/local_global/local_global.h"
+#include "methods/local_global/local_global_method.h"
 
 namespace whittle {
 
-namespace {
-
-enum Parameter { kLambda, kCreases, kLambdaPerVertex, kOwnParameters };
-
-}  // namespace
-
-Status Developable::prepare(const RestShape& rest, const Settings& settings) {
-  targets_.prepare(rest, Rigidity::farap, settings.numbers[kLambda], settings.scalars[kLambdaPerVertex]);
-  normals_.prepare(rest.mesh, settings.numbers[kCreases]);
-  return {};
+EngineValues DevelopableLocalStep::engineValues(const DevelopableParameters& values) {
+  SolverParameters solver;
+  solver.stopOn = StoppingRule::Quantity::iterations;
+  solver.maxIterations = values.maxIterations;
+  return {Rigidity::farap, values.handles, solver};
 }
 
-void Developable::observe(const Points& positions) {
+void DevelopableLocalStep::prepare(const RestShape& rest, const DevelopableParameters& values) {
+  targets_.prepare(rest, Rigidity::farap, values.lambda, values.lambdaPerVertex);
+  normals_.prepare(rest.mesh, values.creases);
+}
+
+void DevelopableLocalStep::observe(const Points& positions) {
   normals_.observe(positions);
   for (Index f = 0; f < targets_.count(); ++f) {
     const Vec3 target = normals_(f);
@@ -26,15 +26,13 @@ void Developable::observe(const Points& positions) {
 }
 
 MethodInfo developableMethod() {
-  const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<Developable>(), kOwnParameters, Ending::iterations);
-  };
-  return {"developable",
-          withIterations({{"lambda", ParameterKind::number, Stale::weights, 20, 0, 1000},
-                          {"creases", ParameterKind::number, Stale::weights, 0.65, 0, 1},
-                          {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 1000}},
-                         150),
-          create};
+  using P = DevelopableParameters;
+  return methodInfo<LocalGlobalMethod<DevelopableLocalStep>>(
+      "developable", {bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 1000}}),
+                      bind("creases", &P::creases, Stale::weights, NumberKind{{0, 1}}),
+                      bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 1000}}),
+                      bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                      bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
 }
 
 }  // namespace whittle

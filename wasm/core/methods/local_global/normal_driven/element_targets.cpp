@@ -6,7 +6,7 @@ namespace whittle {
 
 namespace {
 
-/// Of each face the mean over its corners.
+/// Means of each face over its corners.
 Scalars faceMeans(const Scalars& ofVertices, const Triangles& triangles) {
   Scalars means(triangles.rows());
   for (Index f = 0; f < triangles.rows(); ++f) {
@@ -28,7 +28,7 @@ void ElementTargets::prepare(const RestShape& rest, Rigidity rigidity, double la
     strengths_.array() *= (perFace ? faceMeans(ownLambdas, triangles) : ownLambdas).array();
   }
   normalLanes_.assign(batchCount(count()), {splat(0), splat(0), splat(0)});
-  pulls_ = normalLanes_;
+  weightedTargets_ = normalLanes_;
   for (Index k = 0; k < count(); ++k) {
     setVector(normalLanes_[k / 4], k % 4, normals_.row(k).transpose());
     if (normals_.row(k).isZero(0)) strengths_[k] = 0;
@@ -38,14 +38,14 @@ void ElementTargets::prepare(const RestShape& rest, Rigidity rigidity, double la
 }
 
 void ElementTargets::set(Index k, const Vec3& target) {
-  setVector(pulls_[k / 4], k % 4, (2 * strengths_[k]) * target);
+  setVector(weightedTargets_[k / 4], k % 4, (2 * strengths_[k]) * target);
   const double before = energies_[k];
   energies_[k] = strengths_[k] * (normals_.row(k).transpose() - target).squaredNorm();
   energy_ += energies_[k] - before;
 }
 
-void ElementTargets::pull(std::size_t batch, MatrixLanes& covariances) const {
-  const VectorLanes &n = normalLanes_[batch], &t = pulls_[batch];
+void ElementTargets::addTerm(std::size_t batch, MatrixLanes& covariances) const {
+  const VectorLanes &n = normalLanes_[batch], &t = weightedTargets_[batch];
   const Lanes rows[] = {n.x, n.y, n.z};
   for (int i = 0; i < 3; ++i) {
     auto& row = covariances.m[i];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "methods/local_global/local_step.h"
+#include "methods/local_global/rigidity.h"
 #include "simd/lane_algebra.h"
 
 namespace whittle {
@@ -23,8 +24,8 @@ class ElementTargets {
   void set(Index k, const Vec3& target);
 
   /// Adds the term of four elements to their covariances.
-  void pull(std::size_t batch, MatrixLanes& covariances) const;
-  /// Σ λ a_k |n_k − t_k|², the energy before anything has turned.
+  void addTerm(std::size_t batch, MatrixLanes& covariances) const;
+  /// Σ λ a_k |n_k − t_k|², the energy of the rest shape.
   double energy() const { return energy_; }
 
  private:
@@ -33,15 +34,15 @@ class ElementTargets {
   Scalars energies_;  // λ a_k |n_k − t_k|²
   double energy_ = 0;
   std::vector<VectorLanes> normalLanes_;  // n_k
-  std::vector<VectorLanes> pulls_;        // 2 λ a_k t_k
+  std::vector<VectorLanes> weightedTargets_;  // 2 λ a_k t_k
 };
 
-/// The local step of all methods that draw normals to targets: the plain fit with the targets' pull.
+/// The local step of all methods that draw normals to targets: the plain fit with the target term.
 class TargetedLocalStep : public LocalStep {
  public:
-  void pull(std::size_t batch, MatrixLanes& covariances) const override { targets_.pull(batch, covariances); }
-  double pullEnergy() const override { return targets_.energy(); }
-  Scalars pullWeights() const override { return targets_.strengths(); }
+  void addTargetTerm(std::size_t batch, MatrixLanes& covariances) const override { targets_.addTerm(batch, covariances); }
+  double targetEnergy() const override { return targets_.energy(); }
+  Scalars targetWeights() const override { return targets_.strengths(); }
   Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 
  protected:

@@ -1,47 +1,35 @@
 #include "methods/local_global/normal_driven/normal_map.h"
 
-#include "methods/local_global/local_global.h"
+#include "methods/local_global/local_global_method.h"
 
 namespace whittle {
 
-namespace {
-
-enum Parameter { kImage, kStrength, kLambda, kRegularizer, kLambdaPerVertex, kOwnParameters };
-
-/// Heights are details, and sizes may change for them (2021, §4.1).
-ParameterInfo conformalByDefault() {
-  ParameterInfo info = rigidityParameter();
-  info.defaultValue = static_cast<double>(Rigidity::acap);
-  return info;
+Status NormalMapLocalStep::check(const NormalMapParameters& values) {
+  if (values.image) return {};
+  return Status::failure(Code::badParameter, "normalmap needs a picture; give a normal map or a height map as image");
 }
 
-}  // namespace
+std::vector<std::string> NormalMapLocalStep::warnings(const NormalMapParameters& values) {
+  if (!values.image || !values.image->slopes.isZero(0)) return {};
+  return {"The image is flat, so it raises nothing: it may be of one colour, or a color texture in place of a normal or height map."};
+}
 
-Rigidity NormalMapped::rigidity(const Settings& settings) const { return static_cast<Rigidity>(settings.numbers[kRegularizer]); }
-
-Status NormalMapped::prepare(const RestShape& rest, const Settings& settings) {
-  if (!settings.relief) {
-    return Status::failure(Code::badParameter, "normalmap needs a picture; give a normal map or a height map as image");
-  }
-  const Rigidity kind = rigidity(settings);
-  targets_.prepare(rest, kind, settings.numbers[kLambda], settings.scalars[kLambdaPerVertex]);
-  const auto raisedNormals = kind == Rigidity::farap ? raisedFaceNormals : raisedVertexNormals;
-  const Points targets = raisedNormals(rest.mesh, targets_.normals(), *settings.relief, settings.numbers[kStrength]);
+void NormalMapLocalStep::prepare(const RestShape& rest, const NormalMapParameters& values) {
+  targets_.prepare(rest, values.regularizer, values.lambda, values.lambdaPerVertex);
+  const auto raisedNormals = values.regularizer == Rigidity::farap ? raisedFaceNormals : raisedVertexNormals;
+  const Points targets = raisedNormals(rest.mesh, targets_.normals(), *values.image, values.strength);
   for (Index k = 0; k < targets_.count(); ++k) targets_.set(k, targets.row(k).transpose());
-  return {};
 }
 
 MethodInfo normalmapMethod() {
-  const auto create = []() -> std::unique_ptr<Method> {
-    return std::make_unique<LocalGlobal>(std::make_unique<NormalMapped>(), kOwnParameters);
-  };
-  return {"normalmap",
-          withSharedParameters({{"image", ParameterKind::relief, Stale::weights},
-                                {"strength", ParameterKind::number, Stale::weights, 1, -20, 20},
-                                {"lambda", ParameterKind::number, Stale::weights, 10, 0, 1000},
-                                conformalByDefault(),
-                                {"lambdaPerVertex", ParameterKind::scalars, Stale::weights, 0, 0, 1000}}),
-          create};
+  using P = NormalMapParameters;
+  const ParameterList<P> own = {bind("image", &P::image, Stale::weights, TextureSlopesKind{}),
+                                bind("strength", &P::strength, Stale::weights, NumberKind{{-20, 20}}),
+                                bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 1000}}),
+                                bind("regularizer", &P::regularizer, Stale::all, rigidities()),
+                                bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 1000}}),
+                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+  return methodInfo<LocalGlobalMethod<NormalMapLocalStep>>("normalmap", withGroup(own, &P::solver, solverParameters()));
 }
 
 }  // namespace whittle
