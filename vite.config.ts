@@ -33,7 +33,7 @@ function script(name: string, entry: string, emptyOutDir: boolean): UserConfig {
     plugins: [],
     build: {
       ...page.build,
-      outDir: here('./dist/element'),
+      outDir: here('./dist/embed'),
       emptyOutDir,
       rollupOptions: {
         input: here(entry),

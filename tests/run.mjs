@@ -12,7 +12,7 @@ const vitest = (title, project) => [title, bin('vitest'), 'run', '--project', pr
 /** Programs of each piece: a title, the command and its arguments. */
 const pieces = {
   format: [['Formatting and lint', bin('biome'), 'check', '--error-on-warnings', '.']],
-  types: ['.', 'src/viewer', 'src/element', 'src/cli', 'web', 'tests'].map((folder) => [
+  types: ['.', 'src/viewer', 'src/element', 'src', 'web', 'tests'].map((folder) => [
     `Types of ${folder}`,
     ...[bin('tsc'), '-p', folder, '--noEmit'],
   ]),

@@ -1,12 +1,12 @@
 import { readFile } from 'node:fs/promises';
 import type { Engine } from '../engine/client.ts';
+import { createNodeEngine } from '../engine/in-node.ts';
 import { methods } from '../methods/registry.ts';
 import { parseRecipe, type RecipeStep } from '../recipe/index.ts';
 import { type Command, parseCommand } from './command.ts';
 import { readText } from './files.ts';
 import { generalHelp, methodHelp, methodsHelp } from './help.ts';
 import { runJob } from './job.ts';
-import { createNodeEngine } from './node-engine.ts';
 import { readParameters } from './parameters.ts';
 import { exitCodes, explain } from './problems.ts';
 import { ProgressLine, type ProgressStream } from './progress.ts';

@@ -56,7 +56,7 @@ function buildCommandLine() {
   const link = 'node_modules/.bin/whittle';
   const state = fingerprint(['src', 'tsconfig.json', 'package-lock.json']);
   if (existsSync('dist/cli/main.js') && existsSync(link) && isFresh('cli', state)) return;
-  runQuietly('Compiling the command line', 'node_modules/.bin/tsc', ['-p', 'src/cli']);
+  runQuietly('Compiling the library and the command line', 'node_modules/.bin/tsc', ['-p', 'src']);
   spawnSync('chmod', ['+x', 'dist/cli/main.js']);
   if (!existsSync(link)) symlinkSync('../../dist/cli/main.js', link);
   markFresh('cli', state);

@@ -1,10 +1,10 @@
 import { readFile } from 'node:fs/promises';
-import { createEngine, type Engine } from '../engine/client.ts';
-import { loadCore } from '../engine/core.ts';
-import { fileServices } from '../engine/file-services.ts';
-import { spawnInProcess } from '../engine/in-process.ts';
+import { createEngine, type Engine } from './client.ts';
+import { loadCore } from './core.ts';
+import { fileServices } from './file-services.ts';
+import { spawnInProcess } from './in-process.ts';
 
-/** The same place from src/cli and from dist/cli. */
+/** The wasm file lies at the same place from src/engine and from dist/engine. */
 const wasmFile = new URL('../../wasm/dist/whittle-core.wasm', import.meta.url);
 
 /**
