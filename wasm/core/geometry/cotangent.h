@@ -25,8 +25,10 @@ class LaplacianPattern {
   /// @param held vertices whose rows and columns are those of the identity
   LaplacianPattern(const Triangles& triangles, Index vertexCount, const std::vector<Index>& held);
 
-  /// The lower triangle of L, positive definite where every part has a held vertex. Good until the next call.
+  /// Fills in values and returns `lower`.
   const SparseMatrix& fill(const CornerScalars& halfCotangents);
+  /// The lower triangle of L with the values that were last filled in, positive definite where every part has a held vertex.
+  const SparseMatrix& lower() const { return lower_; }
 
  private:
   static constexpr Index kNowhere = -1;

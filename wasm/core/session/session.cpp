@@ -65,8 +65,16 @@ void Session::markStale(Stale level) {
 
 void Session::restart() { positions_ = rest_.positions; }
 
-void Session::orderVertices() {
-  vertexOrder_ = VertexOrder::of(rest_);
+void Session::orderVertices(double& done) {
+  if (!ordering_) {
+    ordering_ = std::make_unique<VertexOrdering>(rest_);
+    done = 0;
+    return;
+  }
+  done = ordering_->next();
+  if (done < 1) return;
+  vertexOrder_ = ordering_->take();
+  ordering_.reset();
   rest_ = vertexOrder_.ordered(rest_);
   positions_ = vertexOrder_.orderedRows(positions_);
   isOrderedOld_ = true;
@@ -76,8 +84,8 @@ Status Session::acceptMesh() const { return info_->acceptsMesh(vertexOrder_.asLo
 
 void Session::beginPreparing() {
   Plan plan(stale_);
-  if (info_->acceptsMesh) plan.add(Stale::all, "checking the mesh", 5, [this] { return acceptMesh(); });
-  if (vertexOrder_.isAsLoaded()) plan.add(Stale::all, "ordering the vertices", 40, [this] { orderVertices(); });
+  if (info_->acceptsMesh) plan.add(Stale::all, "checking the mesh", 5, [this](double&) { return acceptMesh(); });
+  if (vertexOrder_.isAsLoaded()) plan.add(Stale::all, "ordering the vertices", 40, [this](double& done) { orderVertices(done); });
   preparation_.emplace(plan.add(method_->plan(rest_, *ordered_, stale_)).stages());
 }
 

@@ -66,7 +66,7 @@ class Session {
   void beginPreparing();
   Status refreshValues();
   Status acceptMesh() const;
-  void orderVertices();
+  void orderVertices(double& done);
   void markStale(Stale level);
 
   Points filePositions_;               // #V×3, as loaded
@@ -82,6 +82,7 @@ class Session {
   std::unique_ptr<ParameterValues> ordered_;  // by `vertexOrder_`: what the method sees
   bool isOrderedOld_ = true;                  // whether it is to be taken from `values_` again
   Stale stale_ = Stale::all;
+  std::unique_ptr<VertexOrdering> ordering_;  // on its way to `vertexOrder_`
   std::optional<Preparation> preparation_;
 
   Points positions_;  // in the unit frame, by `vertexOrder_`

@@ -22,10 +22,11 @@ constexpr Index kBlock = 64;
 std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<EngineValues()> values,
                                      std::function<void(const RestShape& rest)> prepareStep, Stale stale) {
   return Plan(stale)
-      .add(Stale::all, "measuring the mesh", 4, [this, &rest] { measure(rest); })
-      .add(Stale::all, "collecting the edges", 8, [this, values] { collectEdges(values().rigidity); })
-      .add(Stale::system, "factoring the system", 60, [this, values] { return prepareSystem(values().handles); })
-      .add(Stale::weights, "preparing the local step", 4,
+      .add(Stale::all, "measuring the mesh", 3, [this, &rest] { measure(rest); })
+      .add(Stale::all, "collecting the edges", 12, [this, values] { collectEdges(values().rigidity); })
+      .add(Stale::system, "assembling the system", 4, [this, values] { assembleSystem(values().handles); })
+      .add(Stale::system, "factoring the system", 80, [this](double& done) { return system_.prepareNext(done); })
+      .add(Stale::weights, "preparing the local step", 2,
            [this, prepareStep] {
              prepareStep(*rest_);
              if (scales_) scales_->prepare(*edges_, localStep_.targetWeights());
@@ -68,12 +69,12 @@ void LocalGlobal::claimRunningState() {
   isClaimed_ = true;
 }
 
-Status LocalGlobal::prepareSystem(const Handles& handles) {
+void LocalGlobal::assembleSystem(const Handles& handles) {
   gauge_.emplace(components_, handles.vertices, rest_->mesh.positions, rest_->areas);
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held, {.isOrdered = true});
+  system_.beginPrepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), std::move(held), {.isOrdered = true});
 }
 
 void LocalGlobal::begin(Points& positions) {

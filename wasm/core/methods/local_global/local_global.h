@@ -43,7 +43,7 @@ class LocalGlobal {
   void measure(const TriangleMesh& rest);
   void collectEdges(Rigidity rigidity);
   void claimRunningState();
-  Status prepareSystem(const Handles& handles);
+  void assembleSystem(const Handles& handles);
   /// Where the rotations of a local step start from.
   enum class Guess {
     continued,  // they go on as they last turned, which leaves the fit about half as many steps; only of an iteration's first local step

@@ -38,7 +38,7 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
 
  private:
   void measure(const TriangleMesh& rest);
-  Status prepareSystem();
+  void analyzeSystem(double& done);
   /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the energy.
   double rotateFaces(const Points& positions);
   /// Moves the vertices to the minimum for these rotations.

@@ -37,7 +37,7 @@ Vec3 areaCentroid(const Points& positions, const Scalars& areas) {
 std::vector<Stage> ConformalFlow::plan(const TriangleMesh& rest, const SphericalParameters& values, Stale stale) {
   return Plan(stale)
       .add(Stale::all, "measuring the mesh", 8, [this, &rest] { measure(rest); })
-      .add(Stale::all, "analyzing the system", 8, [this] { cholesky_.analyze(system_, {.isOrdered = true}); })
+      .add(Stale::all, "analyzing the system", 8, [this](double& done) { done = cholesky_.analyzeNext(); })
       .add(Stale::targets, "taking the settings", 1, [this, &values] { values_ = values; })
       .stages();
 }
@@ -50,6 +50,7 @@ void ConformalFlow::measure(const TriangleMesh& rest) {
   const CornerScalars cotangents = halfCotangents(rest.positions, rest.triangles);
   laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount());
   system_ = laplacian_;
+  cholesky_.beginAnalyze(system_, {.isOrdered = true});
   for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest.vertexCount(), 3);
 }
 
