@@ -1,24 +1,34 @@
 import { defineConfig } from 'vitest/config';
 
-/** Everything that runs in Node. The browser tests drive a real Chromium and are a project of their own. */
+/** What hangs is to end; what a busy machine makes slow is not to be taken for it. */
+const patience = { testTimeout: 180_000, hookTimeout: 180_000 };
+
+/** The tests that drive the built page in a real browser; the files are the same for each. */
+const inBrowser = {
+  ...patience,
+  include: ['tests/browser/**/*.test.ts'],
+  fileParallelism: false,
+};
+
+/** One project for everything that runs in Node, one for each browser. */
 export default defineConfig({
   test: {
-    testTimeout: 60_000,
     projects: [
       {
         test: {
           name: 'node',
-          include: ['tests/{architecture,library,contract,app,repro}/**/*.test.ts'],
-          testTimeout: 60_000,
+          include: ['tests/**/*.test.ts'],
+          exclude: ['tests/browser/**'],
+          ...patience,
         },
       },
+      { test: { name: 'chromium', ...inBrowser, provide: { browser: 'chromium' } } },
       {
         test: {
-          name: 'browser',
-          include: ['tests/browser/**/*.test.ts'],
-          testTimeout: 120_000,
-          hookTimeout: 120_000,
-          fileParallelism: false,
+          name: 'firefox',
+          ...inBrowser,
+          provide: { browser: 'firefox' },
+          globalSetup: 'tests/browser/support/virtual-screen.ts',
         },
       },
     ],

@@ -1,4 +1,5 @@
 import type { MethodDescriptor } from '../methods/descriptor.ts';
+import { kebabCase } from '../methods/kebab-case.ts';
 import { findMethod, methods } from '../methods/registry.ts';
 import { didYouMean } from '../methods/suggest.ts';
 import { type Flags, parseFlags } from './flags.ts';
@@ -46,11 +47,6 @@ export function parseCommand(words: readonly string[]): Command {
   throw new UsageError(`there is no command ${name}.${didYouMean(name, commands)}`);
 }
 
-/** `lambdaPerVertex` → `lambda-per-vertex` */
-export function flagOf(parameter: string): string {
-  return parameter.replaceAll(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-}
-
 function parseMethods(words: readonly string[]): Command {
   const { switches, rest } = parseFlags(words, { values: [], switches: ['json', 'help'] });
   if (rest.length > 0) throw new UsageError(`“whittle methods” takes no ${rest[0]}.`);
@@ -69,9 +65,9 @@ function parseRun(words: readonly string[]): Command {
 }
 
 function parseMethod(method: MethodDescriptor, words: readonly string[]): Command {
-  const names = new Map(method.parameters.map(({ name }) => [flagOf(name), name]));
+  const names = new Map(method.parameters.map(({ name }) => [kebabCase(name), name]));
   const isFlag = (flag: string) =>
-    method.parameters.some(({ name, kind }) => kind === 'flag' && flagOf(name) === flag);
+    method.parameters.some(({ name, kind }) => kind === 'flag' && kebabCase(name) === flag);
   const flags = parseFlags(words, {
     values: [...[...names.keys()].filter((flag) => !isFlag(flag)), ...runValues],
     flags: [...names.keys()].filter(isFlag),

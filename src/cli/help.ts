@@ -1,6 +1,7 @@
-import type { ChoiceParameter, MethodDescriptor, ParameterDescriptor } from '../methods/descriptor.ts';
+import type { MethodDescriptor } from '../methods/descriptor.ts';
+import { kebabCase } from '../methods/kebab-case.ts';
 import { methods } from '../methods/registry.ts';
-import { flagOf } from './command.ts';
+import { type ParameterDescriptor, valueHelp } from '../methods/values/index.ts';
 
 /** The text of `whittle --help`. */
 export function generalHelp(): string {
@@ -41,56 +42,5 @@ export function methodsHelp(): string {
 
 function parameterHelp(parameter: ParameterDescriptor): string {
   const { value, range } = valueHelp(parameter);
-  return `  ${`--${flagOf(parameter.name)} ${value}`.padEnd(33)}${range}\n      ${parameter.doc}\n`;
-}
-
-interface ValueHelp {
-  readonly value: string;
-  readonly range: string;
-}
-
-function choiceHelp({ choices, maxRows, default: usual }: ChoiceParameter): ValueHelp {
-  const range = `${choices.join(' | ')}, default ${usual}`;
-  if (!maxRows) return { value: 'NAME', range };
-  return { value: 'NAME|FILE.json', range: `${range}; a FILE.json lists ${maxRows} rows [x, y, z] at most` };
-}
-
-function valueHelp(parameter: ParameterDescriptor): ValueHelp {
-  switch (parameter.kind) {
-    case 'number':
-    case 'integer': {
-      const { min, max, unit } = parameter;
-      const range = `${min} to ${max}${unit && ` ${unit}`}, default ${parameter.default}`;
-      return { value: parameter.kind === 'number' ? 'NUMBER' : 'COUNT', range };
-    }
-    case 'choice':
-      return choiceHelp(parameter);
-    case 'flag':
-      return { value: '', range: `alone for true, or =true, =false; default ${parameter.default}` };
-    case 'vector': {
-      const { min, max, default: usual } = parameter;
-      return { value: usual.map(() => 'N').join(), range: `${min} to ${max}, default ${usual.join()}` };
-    }
-    case 'rotation':
-      return {
-        value: 'X,Y,Z,W',
-        range: `a quaternion of any length but 0, default ${parameter.default.join()}`,
-      };
-    case 'rotations':
-      return {
-        value: 'FILE.json',
-        range: '[{"vertices": [0, …], "orientation": [x, y, z, w]}, …], default none',
-      };
-    case 'scalars':
-      return {
-        value: 'FILE.json',
-        range: `[number, …] from ${parameter.min} to ${parameter.max}, default none`,
-      };
-    case 'style':
-      return { value: 'NAME|FILE', range: `a FILE.json lists [[x, y, z], …]; default ${parameter.default}` };
-    case 'relief':
-      return { value: 'NAME|FILE.png', range: 'default the normal map inside the file, if there is one' };
-    case 'handles':
-      return { value: 'FILE.json', range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none' };
-  }
+  return `  ${`--${kebabCase(parameter.name)} ${value}`.padEnd(33)}${range}\n      ${parameter.doc}\n`;
 }

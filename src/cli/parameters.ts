@@ -1,8 +1,9 @@
 import { WhittleError } from '../mesh/failure.ts';
 import { checkParameters } from '../methods/check.ts';
-import type { MethodDescriptor, ParameterDescriptor, ParameterValues } from '../methods/descriptor.ts';
-import { parseJson } from '../recipe/index.ts';
-import { flagOf } from './command.ts';
+import type { MethodDescriptor } from '../methods/descriptor.ts';
+import { kebabCase } from '../methods/kebab-case.ts';
+import { namesFile, type ParameterValues, typedValue } from '../methods/values/index.ts';
+import { parseJson } from '../methods/values/json.ts';
 import { readText } from './files.ts';
 import { UsageError } from './problems.ts';
 
@@ -19,37 +20,18 @@ export async function readParameters(
   const values: Record<string, unknown> = {};
   for (const descriptor of method.parameters) {
     const text = typed.get(descriptor.name);
-    if (text === undefined || isFile(descriptor, text)) continue;
-    values[descriptor.name] = plainValue(descriptor, text);
+    if (text === undefined || namesFile(descriptor, text)) continue;
+    values[descriptor.name] = typedValue(descriptor, text);
     const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
-    if (problem) throw new UsageError(`--${flagOf(descriptor.name)}: ${problem.message}`);
+    if (problem) throw new UsageError(`--${kebabCase(descriptor.name)}: ${problem.message}`);
   }
   for (const descriptor of method.parameters) {
     const file = typed.get(descriptor.name);
-    if (file === undefined || !isFile(descriptor, file)) continue;
+    if (file === undefined || !namesFile(descriptor, file)) continue;
     values[descriptor.name] = parseJson(await readText(file), file);
     const problem = checkParameters(method, { [descriptor.name]: values[descriptor.name] });
     if (problem) throw new WhittleError(problem.code, `${file}: ${problem.message}`);
   }
   // Each of them checked above.
   return values as ParameterValues;
-}
-
-/** Whether what was typed is the name of a JSON file. */
-function isFile(descriptor: ParameterDescriptor, text: string): boolean {
-  if (descriptor.kind === 'choice') return Boolean(descriptor.maxRows) && /\.json$/i.test(text);
-  return ['handles', 'scalars', 'rotations'].includes(descriptor.kind);
-}
-
-/** What does not look right stays text, for the check to quote. */
-function plainValue({ kind }: ParameterDescriptor, text: string): unknown {
-  if (kind === 'flag') return text === 'true' || text === 'false' ? text === 'true' : text;
-  if (kind === 'vector' || kind === 'rotation') return text.split(',').map(numberOf);
-  return kind === 'number' || kind === 'integer' ? numberOf(text) : text;
-}
-
-/** What is no number stays text, for the check to quote. */
-function numberOf(text: string): number | string {
-  const value = Number(text);
-  return text.trim() === '' || Number.isNaN(value) ? text : value;
 }

@@ -34,13 +34,3 @@ function codeOf({ code }: WhittleError): number {
   const isOurs = ['numerical-failure', 'out-of-memory', 'worker-lost', 'internal'].includes(code);
   return isOurs ? exitCodes.failed : exitCodes.badInput;
 }
-
-/** The promise's value, or its `WhittleError` with the place put before the sentence (unless it says it already). */
-export async function at<T>(place: string, promise: Promise<T>): Promise<T> {
-  try {
-    return await promise;
-  } catch (thrown) {
-    if (!(thrown instanceof WhittleError) || thrown.message.startsWith(place)) throw thrown;
-    throw new WhittleError(thrown.code, `${place}: ${thrown.message}`, thrown.element);
-  }
-}

@@ -1,5 +1,6 @@
-import type { Outcome, Solved } from '../engine/protocol.ts';
+import type { Outcome } from '../engine/protocol.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
+import type { StepRun } from '../recipe/index.ts';
 
 type InputReport = Pick<
   MeshReport,
@@ -29,12 +30,17 @@ export function inputReport(report: MeshReport): InputReport {
   return { vertices, faces, components, boundaryEdges, nonManifoldEdges, degenerateFaces };
 }
 
-/** @param loading milliseconds that welding and validating took; they are preparation as well */
-export function stepReport(method: string, solved: Solved, loading: number): StepReport {
-  const { iterations, outcome, energy, warnings } = solved;
-  const { prepare, solve } = solved.milliseconds;
+export function stepReport({
+  method,
+  iterations,
+  outcome,
+  energy,
+  milliseconds,
+  warnings,
+}: StepRun): StepReport {
+  const { prepare, solve } = milliseconds;
   return {
     ...{ method, iterations, outcome, energy, warnings: [...warnings] },
-    milliseconds: { read: 0, prepare: loading + prepare, solve, write: 0 },
+    milliseconds: { read: 0, prepare, solve, write: 0 },
   };
 }

@@ -1,5 +1,6 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
+import { weldOf } from '../mesh/weld.ts';
 import { Connection, type FrameListener } from './connection.ts';
 import type { ClientPort } from './port.ts';
 import type { ReadResult, Solved, SolveSettings } from './protocol.ts';
@@ -150,7 +151,11 @@ class WorkerEngine implements Engine {
     if (known) return known;
     // Colours and texture coordinates stay here: the solver has no use for them.
     const { positions, triangles } = mesh;
-    const { answer } = connection.ask({ type: 'load', key, mesh: { positions, triangles } });
+    const { answer } = connection.ask({
+      type: 'load',
+      key,
+      mesh: { positions, triangles, weld: weldOf(mesh) },
+    });
     connection.loaded.set(key, answer);
     answer.catch(() => connection.loaded.delete(key));
     return answer;

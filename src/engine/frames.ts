@@ -1,4 +1,4 @@
-import type { Step } from './core.ts';
+import type { Step } from './core-api.ts';
 import type { Frame } from './protocol.ts';
 
 /** Progress without positions comes at most this often. */

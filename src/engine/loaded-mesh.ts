@@ -1,8 +1,8 @@
 import { WhittleError } from '../mesh/failure.ts';
-import type { Mesh, MeshReport } from '../mesh/mesh.ts';
-import { unweld, type WeldedMesh, weld } from '../mesh/weld.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
-import type { Core, CoreSession, Step } from './core.ts';
+import type { Mesh, MeshReport, Weld } from '../mesh/mesh.ts';
+import { gather, spread, weldOf } from '../mesh/weld.ts';
+import type { Core, CoreSession, Step } from './core-api.ts';
+import type { EncodedValues } from './encode.ts';
 import { inCore } from './trap.ts';
 
 /**
@@ -11,7 +11,7 @@ import { inCore } from './trap.ts';
  * Every call throws what the core refused as a `WhittleError`, and a `CoreTrap` if the core broke.
  */
 export class LoadedMesh {
-  readonly welded: WeldedMesh;
+  readonly weld: Weld;
   readonly report: MeshReport;
   readonly #core: Core;
   readonly #session: CoreSession;
@@ -19,23 +19,23 @@ export class LoadedMesh {
   readonly #length: number;
 
   constructor(core: Core, mesh: Mesh) {
-    this.welded = weld(mesh.positions, mesh.triangles);
+    this.weld = weldOf(mesh);
+    const positions = gather(mesh.positions, this.weld);
     this.#core = core;
     this.#length = mesh.positions.length;
-    this.#scratch = new Float64Array(this.welded.positions.length);
+    this.#scratch = new Float64Array(positions.length);
     this.#session = this.#call(() => core.open());
     try {
-      this.report = this.#call(() => this.#session.load(this.welded.positions, this.welded.triangles));
+      this.report = this.#call(() => this.#session.load(positions, this.weld.triangles));
     } catch (thrown) {
       if (thrown instanceof WhittleError) this.free();
       throw thrown;
     }
   }
 
-  /** Handles already name welded vertices. */
-  prepare(method: string, parameters: ParameterValues, fromRest: boolean): void {
+  prepare(method: string, values: EncodedValues, fromRest: boolean): void {
     this.#call(() => {
-      this.#session.configure(method, parameters);
+      this.#session.configure(method, values);
       if (fromRest) this.#session.restart();
       this.#session.prepare();
     });
@@ -53,7 +53,7 @@ export class LoadedMesh {
   readonly copyPositions = (into?: Float64Array<ArrayBuffer>): Float64Array<ArrayBuffer> => {
     this.#call(() => this.#session.copyPositions(this.#scratch));
     const fits = into?.length === this.#length;
-    return unweld(this.#scratch, this.welded.vertexOfPosition, fits ? into : undefined);
+    return spread(this.#scratch, this.weld, fits ? into : undefined);
   };
 
   free(): void {
@@ -64,7 +64,7 @@ export class LoadedMesh {
     try {
       return inCore(call, () => this.#core.heapBytes());
     } catch (thrown) {
-      throw thrown instanceof WhittleError ? asSentence(inFileNumbers(thrown, this.welded)) : thrown;
+      throw thrown instanceof WhittleError ? asSentence(inFileNumbers(thrown, this.weld)) : thrown;
     }
   }
 }
@@ -73,12 +73,12 @@ export class LoadedMesh {
  * The core counts welded vertices. Where its sentence speaks of "vertex N", N being its element, both become the first
  * position of the file that is this vertex. Faces keep their numbers: welding leaves them in their order.
  */
-export function inFileNumbers(error: WhittleError, { vertexOfPosition }: WeldedMesh): WhittleError {
+export function inFileNumbers(error: WhittleError, { positionOfVertex }: Weld): WhittleError {
   const { code, message, element } = error;
   if (element === undefined) return error;
   const words = new RegExp(`\\b(vertex) ${element}\\b`, 'gi');
-  const source = vertexOfPosition.indexOf(element);
-  if (source < 0 || !words.test(message)) return error;
+  const source = positionOfVertex[element];
+  if (source === undefined || !words.test(message)) return error;
   return new WhittleError(code, message.replace(words, `$1 ${source}`), source);
 }
 

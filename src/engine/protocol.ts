@@ -1,6 +1,7 @@
+import type { Format } from '../io/index.ts';
 import type { Failure } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
 
 /** How a run ended. A cancelled (or superseded) run keeps what it has. */
 export type Outcome = 'converged' | 'iteration-limit' | 'stalled' | 'cancelled';
@@ -43,7 +44,7 @@ export interface Solved {
 export interface ReadResult {
   readonly mesh: Mesh;
   /** By the bytes, not by the name: 'obj', 'stl-binary', … */
-  readonly format: string;
+  readonly format: Format;
   /** The normal map inside the file, as the bytes of a picture. */
   readonly normalMap?: { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> };
   readonly warnings: readonly string[];
@@ -106,7 +107,8 @@ function buffersOf(value: Calls[CallName]['answer']): ArrayBuffer[] {
   if (value instanceof Uint8Array) return [value.buffer];
   if (value === null || 'components' in value) return [];
   if ('positions' in value) return [value.positions.buffer];
-  const { positions, triangles, colors, uvs } = value.mesh;
-  const arrays = [positions, triangles, colors, uvs, value.normalMap?.bytes];
+  const { positions, triangles, weld, colors, uvs } = value.mesh;
+  const welded = [weld?.vertexOfPosition, weld?.positionOfVertex, weld?.triangles];
+  const arrays = [positions, triangles, ...welded, colors, uvs, value.normalMap?.bytes];
   return arrays.flatMap((array) => (array ? [array.buffer] : []));
 }

@@ -1,9 +1,10 @@
-import type { ParameterValues } from '../methods/descriptor.ts';
+import { oddities } from '../mesh/report-sentences.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
+import type { EncodedValues } from './encode.ts';
 import type { FrameGate } from './frames.ts';
 import type { Hop } from './hop.ts';
 import type { LoadedMesh } from './loaded-mesh.ts';
 import type { Outcome, Solved, SolveSettings } from './protocol.ts';
-import { warningsOf } from './warnings.ts';
 
 /** Messages get in at least this often, single steps permitting. Shorter would slow small meshes. */
 const hopMilliseconds = 8;
@@ -51,22 +52,17 @@ export class Run {
  * Steps until the core says that it is done or somebody stops the run, and answers with what there is. The core steps, this
  * loops: between steps, messages get in and frames get out.
  *
- * @param parameters with handles in welded numbering
+ * @param values the run's parameters as the core takes them
  */
-export async function runToEnd(
-  mesh: LoadedMesh,
-  parameters: ParameterValues,
-  run: Run,
-  hop: Hop,
-): Promise<Solved> {
-  const { method, start } = run.settings;
+export async function runToEnd(mesh: LoadedMesh, values: EncodedValues, run: Run, hop: Hop): Promise<Solved> {
+  const { method, parameters, start } = run.settings;
   const began = performance.now();
   // A cancel or a newer request may already wait; preparing can take long.
   await hop();
   const isSkipped = run.isCancelled || run.isSuperseded;
   // The newer run may start from 'current' and means what this one would have made of it.
   if (run.isSuperseded && start === 'rest') mesh.restart();
-  if (!isSkipped) mesh.prepare(method, parameters, start === 'rest');
+  if (!isSkipped) mesh.prepare(method, values, start === 'rest');
   const prepared = performance.now();
 
   const energy: number[] = [];
@@ -79,7 +75,7 @@ export async function runToEnd(
     energy,
     positions,
     milliseconds,
-    warnings: warningsOf(mesh.report),
+    warnings: oddities(mesh.report),
   };
 }
 

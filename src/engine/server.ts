@@ -4,9 +4,9 @@ import { checkParameters } from '../methods/check.ts';
 import type { MethodDescriptor } from '../methods/descriptor.ts';
 import { findMethod, methods } from '../methods/registry.ts';
 import { didYouMean } from '../methods/suggest.ts';
-import type { Core } from './core.ts';
+import type { Core } from './core-api.ts';
+import { encodeValues } from './encode.ts';
 import { FrameGate } from './frames.ts';
-import { toWelded } from './handles.ts';
 import { createHop } from './hop.ts';
 import { LoadedMesh } from './loaded-mesh.ts';
 import type { ServerPort } from './port.ts';
@@ -112,7 +112,7 @@ class Server {
     if (!entry) throw new WhittleError('internal', 'The mesh to solve was released. Please report it.');
     // A request that is refused here does not disturb the run before it.
     const method = checkedMethod(settings);
-    const parameters = toWelded(method, settings.parameters, entry.mesh.welded);
+    const values = encodeValues(method, settings.parameters, entry.mesh.weld);
 
     const previous = entry.latest;
     const run = new Run(settings, this.#gate(id, entry.mesh, settings));
@@ -121,7 +121,7 @@ class Server {
     this.#runs.set(id, run);
     try {
       await previous?.ended;
-      return await runToEnd(entry.mesh, parameters, run, this.#hop);
+      return await runToEnd(entry.mesh, values, run, this.#hop);
     } catch (thrown) {
       // Positions after a failure can be anything; the next run may ask to start from them.
       if (thrown instanceof WhittleError) entry.mesh.restart();

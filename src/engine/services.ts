@@ -1,4 +1,4 @@
-import type { Core } from './core.ts';
+import type { Core } from './core-api.ts';
 import type { ReadResult } from './protocol.ts';
 
 /** What the server needs from outside: the core and the file formats. Tests bring their own. */

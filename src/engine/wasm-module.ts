@@ -43,14 +43,20 @@ export interface WasmModule {
   _whittle_methods(): number;
 }
 
-type WasmFactory = (options: { wasmBinary?: Uint8Array }) => Promise<WasmModule>;
+interface WasmOptions {
+  readonly wasmBinary?: Uint8Array;
+  readonly locateFile?: (name: string) => string;
+}
+
+type WasmFactory = (options: WasmOptions) => Promise<WasmModule>;
 
 /**
  * Starts a module with memory of its own.
  *
- * @param wasmBinary the module's bytes, where the loader cannot fetch them itself (Node)
+ * @param wasm the module's bytes or their address; default: the file beside the loader
  */
-export async function loadModule(wasmBinary?: Uint8Array): Promise<WasmModule> {
+export async function loadModule(wasm?: Uint8Array | string): Promise<WasmModule> {
   const { default: create }: { default: WasmFactory } = await import('../../wasm/dist/whittle-core.mjs');
-  return create(wasmBinary ? { wasmBinary } : {});
+  if (typeof wasm === 'string') return create({ locateFile: () => wasm });
+  return create(wasm ? { wasmBinary: wasm } : {});
 }

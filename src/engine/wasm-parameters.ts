@@ -1,9 +1,9 @@
-import type { Handles, ParameterValue, Scalars } from '../methods/descriptor.ts';
-import type { GaussMap } from '../methods/gauss-map.ts';
-import type { Relief } from '../methods/relief.ts';
-import type { CoreParameter } from './core.ts';
+import type { Encoded } from '../methods/values/parameter.ts';
+import type { CoreParameter } from './core-api.ts';
 import type { WasmHeap } from './wasm-heap.ts';
 import type { WasmModule } from './wasm-module.ts';
+
+const none: Encoded = { name: '', numbers: new Float64Array(), indices: new Uint32Array() };
 
 /** How each kind of parameter crosses to a session of the core. */
 export class WasmParameters {
@@ -19,33 +19,31 @@ export class WasmParameters {
   }
 
   /** Sets one of the selected method, to its default where nothing is given. Answers the core's code, 0 if all is well. */
-  set(parameter: CoreParameter, given: ParameterValue | undefined): number {
-    switch (parameter.kind) {
+  set(parameter: CoreParameter, given: Encoded | undefined): number {
+    const { kind, name, default: usual } = parameter;
+    switch (kind) {
       case 'handles':
-        return this.#setHandles(given as Handles | undefined);
+        return this.#setHandles(given ?? none);
       case 'scalars':
       case 'rotations':
-        return this.#setScalars(parameter.name, given as Scalars | undefined);
+        return this.#setScalars(name, (given ?? none).numbers);
       case 'vector':
       case 'rotation':
-        return this.#setScalars(parameter.name, (given ?? parameter.default) as Scalars);
+        return this.#setScalars(name, given?.numbers ?? Float64Array.from(usual as number[]));
       case 'style':
-        return this.#setStyle(parameter.name, given as GaussMap | undefined);
-      case 'relief':
-        return this.#setRelief(parameter.name, given as Relief | undefined);
+        return this.#setStyle(name, given ?? none);
+      case 'textureSlopes':
+        return this.#setRelief(name, given ?? none);
+      case 'choice':
+        return this.#setChoice(parameter, given);
       default:
-        return this.#setValue(parameter, given);
+        return this.#setNumber(name, given?.numbers[0] ?? Number(usual));
     }
   }
 
-  /** A number, a flag or a choice, in whose place a matrix may be given. */
-  #setValue(parameter: CoreParameter, given: ParameterValue | undefined): number {
-    const isMatrix = Array.isArray(given);
-    const value = (isMatrix ? undefined : given) ?? parameter.default;
-    const index = parameter.choices?.indexOf(String(value)); // -1 is outside the range: the core refuses it
-    const code = this.#setNumber(parameter.name, index ?? Number(value));
-    if (code !== 0 || !parameter.maxRows) return code;
-    return this.#setScalars(parameter.name, isMatrix ? (given.flat() as number[]) : []);
+  #setChoice({ name, choices = [], default: usual, maxRows }: CoreParameter, given?: Encoded): number {
+    const code = this.#setNumber(name, choices.indexOf(given?.name || String(usual)));
+    return code !== 0 || !maxRows ? code : this.#setScalars(name, (given ?? none).numbers);
   }
 
   #setNumber(name: string, value: number): number {
@@ -54,8 +52,7 @@ export class WasmParameters {
     );
   }
 
-  #setScalars(name: string, given: Scalars = []): number {
-    const values = Float64Array.from(given);
+  #setScalars(name: string, values: Float64Array): number {
     const set = (valuesAt: number) =>
       this.#heap.withString(name, (nameAt) =>
         this.#module._whittle_set_scalars(this.#handle, nameAt, valuesAt, values.length),
@@ -63,44 +60,37 @@ export class WasmParameters {
     return this.#heap.withCopies([values], set);
   }
 
-  #setStyle(name: string, style?: GaussMap): number {
-    const { normals, points, triangles, kind } = flatStyle(style);
+  #setStyle(name: string, { name: form, numbers, indices }: Encoded): number {
+    const kind = ['closest', 'vertex', 'face'].indexOf(form);
+    const pointCount = indices[0] ?? 0;
+    const points = numbers.subarray(0, 3 * pointCount);
+    const normals = numbers.subarray(3 * pointCount);
+    const triangles = indices.subarray(1);
     const set = (normalsAt: number, pointsAt: number, trianglesAt: number) =>
       this.#heap.withString(name, (nameAt) =>
         this.#module._whittle_set_style(
           ...([this.#handle, nameAt, kind, normalsAt, normals.length / 3] as const),
-          ...([pointsAt, points.length / 3, trianglesAt, triangles.length / 3] as const),
+          ...([pointsAt, pointCount, trianglesAt, triangles.length / 3] as const),
         ),
       );
     return this.#heap.withCopies([normals, points, triangles], set);
   }
 
-  #setRelief(name: string, relief: Relief = noRelief): number {
-    const { uvs, slopes } = relief;
+  #setRelief(name: string, { numbers }: Encoded): number {
+    const half = numbers.length / 2;
+    const [uvs, slopes] = [numbers.subarray(0, half), numbers.subarray(half)].map((part) =>
+      Float32Array.from(part),
+    );
     const set = (uvsAt: number, slopesAt: number) =>
       this.#heap.withString(name, (nameAt) =>
-        this.#module._whittle_set_relief(this.#handle, nameAt, uvsAt, slopesAt, uvs.length / 6),
+        this.#module._whittle_set_relief(this.#handle, nameAt, uvsAt, slopesAt, half / 6),
       );
-    return this.#heap.withCopies([uvs, slopes], set);
+    return this.#heap.withCopies([uvs!, slopes!], set);
   }
 
-  #setHandles(handles: Handles = { vertices: [], targets: [] }): number {
-    const vertices = Int32Array.from(handles.vertices);
-    const targets = Float64Array.from(handles.targets.flat());
+  #setHandles({ numbers, indices }: Encoded): number {
     const set = (verticesAt: number, targetsAt: number) =>
-      this.#module._whittle_set_handles(this.#handle, verticesAt, targetsAt, vertices.length);
-    return this.#heap.withCopies([vertices, targets], set);
+      this.#module._whittle_set_handles(this.#handle, verticesAt, targetsAt, indices.length);
+    return this.#heap.withCopies([indices, numbers], set);
   }
-}
-
-const noRelief: Relief = { uvs: new Float32Array(), slopes: new Float32Array() };
-
-/** A style as the C interface takes it: kind 0, 1, 2, or -1 for none. */
-function flatStyle(style?: GaussMap) {
-  const points = style?.kind === 'sphere' ? style.points : new Float64Array();
-  const triangles = style?.kind === 'sphere' ? style.triangles : new Uint32Array();
-  const normals = style?.normals ?? new Float64Array();
-  if (!style) return { kind: -1, normals, points, triangles };
-  const kind = style.kind === 'closest' ? 0 : style.per === 'vertex' ? 1 : 2;
-  return { kind, normals, points, triangles };
 }

@@ -1,7 +1,7 @@
 import { type FailureCode, WhittleError } from '../mesh/failure.ts';
 import type { MeshReport } from '../mesh/mesh.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
-import type { Core, CoreSession, Step } from './core.ts';
+import type { Core, CoreSession, Step } from './core-api.ts';
+import type { EncodedValues } from './encode.ts';
 import type { WasmHeap } from './wasm-heap.ts';
 import type { WasmModule } from './wasm-module.ts';
 import { WasmParameters } from './wasm-parameters.ts';
@@ -39,11 +39,11 @@ export class WasmSession implements CoreSession {
     return this.#report();
   }
 
-  configure(method: string, parameters: ParameterValues): void {
+  configure(method: string, values: EncodedValues): void {
     this.#check(this.#heap.withString(method, (name) => this.#module._whittle_select(this.#handle, name)));
     const info = this.#methods().find((candidate) => candidate.id === method)!;
     for (const parameter of info.parameters)
-      this.#check(this.#parameters.set(parameter, parameters[parameter.name]));
+      this.#check(this.#parameters.set(parameter, values.get(parameter.name)));
   }
 
   restart(): void {

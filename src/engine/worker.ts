@@ -3,5 +3,8 @@ import { fileServices } from './file-services.ts';
 import type { ServerPort } from './port.ts';
 import { serve } from './server.ts';
 
+/** Where the wasm file lies, if whoever started this script said so: the query `wasm` of its address. */
+const wasmUrl = new URL(import.meta.url).searchParams.get('wasm') ?? undefined;
+
 /** The web worker's script. */
-serve(globalThis as unknown as ServerPort, { ...fileServices, loadCore: () => loadCore() });
+serve(globalThis as unknown as ServerPort, { ...fileServices, loadCore: () => loadCore(wasmUrl) });

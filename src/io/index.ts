@@ -1,15 +1,25 @@
 import type { Mesh } from '../mesh/mesh.ts';
-import { weld } from '../mesh/weld.ts';
+import { gather, weld } from '../mesh/weld.ts';
 import { plainBytes } from './bytes.ts';
 import { fitsFloat32, unfitPosition } from './fit.ts';
-import { type Format, formats } from './formats.ts';
+import { type Format, formats, isFormat } from './formats.ts';
 import { handlers } from './handlers.ts';
 import { type EmbeddedPicture, type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
 import { triangulate } from './polygon.ts';
 import { counted, refusal } from './refuse.ts';
 import { recognise } from './sniff.ts';
 
-export { type Format, fileNameEndings, formatForFileName, formats, isFormat } from './formats.ts';
+export {
+  endingOf,
+  type Format,
+  type FormatInfo,
+  fileNameEndings,
+  formatForFileName,
+  formatInfo,
+  formats,
+  isFormat,
+  isMeshFileName,
+} from './formats.ts';
 export type { EmbeddedPicture } from './parsed-file.ts';
 
 export interface ReadMesh {
@@ -38,7 +48,13 @@ export function readMesh(bytes: Uint8Array, name: string): ReadMesh {
   const uvs = file.uvs && cornerUvs(file.uvs, corners);
   const warnings = [...file.warnings];
   if (roughFaces > 0) warnings.push(`Split ${counted(roughFaces, 'very large polygon')} roughly.`);
-  const mesh = { positions, triangles, ...(colors ? { colors } : {}), ...(uvs ? { uvs } : {}) };
+  const mesh = {
+    positions,
+    triangles,
+    weld: weld(positions, triangles),
+    ...(colors ? { colors } : {}),
+    ...(uvs ? { uvs } : {}),
+  };
   return { mesh, format, warnings, ...(normalMap ? { normalMap } : {}) };
 }
 
@@ -59,8 +75,13 @@ export function writeMesh(
   format: Format,
   positions: Float64Array,
 ): Uint8Array<ArrayBuffer> {
-  if (!formats.includes(format)) {
-    throw refusal('unknown-format', name, '', `"${format}" is not one of ${formats.join(', ')}.`);
+  if (!isFormat(format)) {
+    throw refusal(
+      'unknown-format',
+      name,
+      '',
+      `"${format}" is not one of ${formats.map(({ id }) => id).join(', ')}.`,
+    );
   }
   const bytes = plainBytes(source);
   const parsed = parse(bytes, name);
@@ -115,12 +136,13 @@ function cornerUvs(
   return result;
 }
 
-/** The shape for a new file. Corners of an STL are joined where they are in the same place. */
+/** The shape for a new file. Corners of an STL are joined where the file has them in the same place. */
 function shapeOf(file: ParsedFile, format: Format, positions: Float64Array): Shape {
   const { triangles } = triangulate(file.positions, file.faces);
   if (format === 'stl-binary' || format === 'stl-ascii') {
-    const welded = weld(positions, triangles);
-    return { ...welded, faces: triangleFaces(welded.triangles) };
+    const joined = weld(file.positions, triangles);
+    const faces = triangleFaces(joined.triangles);
+    return { positions: gather(positions, joined), faces, triangles: joined.triangles };
   }
   const { faces, colors } = file;
   return { positions, faces, triangles, ...(colors ? { colors } : {}) };

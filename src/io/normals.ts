@@ -40,8 +40,8 @@ export function newNormals(
 ): Float64Array {
   const sums = new FaceSums(faces, before, after);
   const units = unitVectors(stored.values);
-  const { vertexOfPosition, positions } = weld(before, new Uint32Array(0));
-  const around = cornersByVertex(faces.corners, vertexOfPosition, positions.length / 3);
+  const { vertexOfPosition, positionOfVertex } = weld(before, new Uint32Array(0));
+  const around = cornersByVertex(faces.corners, vertexOfPosition, positionOfVertex.length);
   const totals = new Totals(stored.values.length);
   const fans = new Fans(units, sums, totals);
   for (let v = 0; v + 1 < around.start.length; v++) {

@@ -52,6 +52,16 @@ export class WhittleError extends Error implements Failure {
   }
 }
 
+/** The work's value, or its `WhittleError` with a place put before the sentence, unless it says it already or there is no place. */
+export async function at<T>(place: string, work: Promise<T> | (() => T | Promise<T>)): Promise<T> {
+  try {
+    return await (typeof work === 'function' ? work() : work);
+  } catch (thrown) {
+    if (!(thrown instanceof WhittleError) || thrown.message.startsWith(place)) throw thrown;
+    throw new WhittleError(thrown.code, `${place}: ${thrown.message}`, thrown.element);
+  }
+}
+
 /** Turns anything thrown into a {@link Failure}; what is not ours is an `internal` failure. */
 export function toFailure(thrown: unknown): Failure {
   if (thrown instanceof WhittleError) {

@@ -1,12 +1,14 @@
 /**
  * A triangle mesh as its file describes it: positions in the file's own order, units and place. Polygons are split into
- * triangles; vertices that a file stores several times (seams, STL corners) stay apart here, see {@link weld}.
+ * triangles; vertices that a file stores several times (seams, STL corners) stay apart here, see {@link Weld}.
  */
 export interface Mesh {
   /** #P×3, xyz interleaved, in the file's position order. */
   readonly positions: Float64Array<ArrayBuffer>;
   /** #F×3 indices into `positions`. */
   readonly triangles: Uint32Array<ArrayBuffer>;
+  /** Which positions are one place; absent where nobody asked yet, see `weldOf`. */
+  readonly weld?: Weld;
   /** #P×3 linear RGB in [0, 1], if the file colours its vertices. */
   readonly colors?: Float32Array<ArrayBuffer>;
   /**
@@ -14,6 +16,19 @@ export interface Mesh {
    * picture is at v = 1 whatever the format says. NaN at corners that have none.
    */
   readonly uvs?: Float32Array<ArrayBuffer>;
+}
+
+/**
+ * Which positions of a mesh are one vertex for the solver: those that its file has in one place. A weld is made once a file and
+ * carried on by every mesh that steps make of it, so that two vertices that a step brought together stay two.
+ */
+export interface Weld {
+  /** #P: the welded vertex of each source position. */
+  readonly vertexOfPosition: Uint32Array<ArrayBuffer>;
+  /** #V: the first source position of each welded vertex, rising. */
+  readonly positionOfVertex: Uint32Array<ArrayBuffer>;
+  /** #F×3 indices of welded vertices, same faces in the same order as the source. */
+  readonly triangles: Uint32Array<ArrayBuffer>;
 }
 
 /** What the core says of a mesh once it has looked at it. Counts are those of the welded mesh, faces as given. */

@@ -1,11 +1,19 @@
-/** The mesh that the solver works on, and the way back to the file's positions. */
-export interface WeldedMesh {
-  /** #V×3, the distinct positions in order of first appearance. */
-  readonly positions: Float64Array<ArrayBuffer>;
-  /** #F×3 indices into the welded positions, same faces in the same order as the source. */
-  readonly triangles: Uint32Array<ArrayBuffer>;
-  /** #P: the welded vertex of each source position. */
-  readonly vertexOfPosition: Uint32Array<ArrayBuffer>;
+import type { Mesh, Weld } from './mesh.ts';
+
+const welds = new WeakMap<Pick<Mesh, 'positions' | 'triangles'>, Weld>();
+
+/** The weld that a mesh carries; one that carries none gets one by its own positions, once. */
+export function weldOf(mesh: Pick<Mesh, 'positions' | 'triangles' | 'weld'>): Weld {
+  const known = mesh.weld ?? welds.get(mesh);
+  if (known) return known;
+  const made = weld(mesh.positions, mesh.triangles);
+  welds.set(mesh, made);
+  return made;
+}
+
+/** A mesh as a step left it: other positions (#P×3), everything else as it was, its weld too. */
+export function movedMesh(mesh: Mesh, positions: Float64Array<ArrayBuffer>): Mesh {
+  return { ...mesh, positions, weld: weldOf(mesh) };
 }
 
 /**
@@ -14,7 +22,7 @@ export interface WeldedMesh {
  * @param positions #P×3
  * @param triangles #F×3 indices into `positions`; indices out of range are left as they are for the core to name
  */
-export function weld(positions: Float64Array, triangles: Uint32Array): WeldedMesh {
+export function weld(positions: Float64Array, triangles: Uint32Array): Weld {
   const count = positions.length / 3;
   const table = new PositionTable(positions);
   const vertexOfPosition = new Uint32Array(count);
@@ -29,24 +37,33 @@ export function weld(positions: Float64Array, triangles: Uint32Array): WeldedMes
       vertexOfPosition[p] = vertexOfPosition[twin]!;
     }
   }
-
-  const welded = new Float64Array(3 * vertices);
-  for (let v = 0; v < vertices; v++) {
-    const p = 3 * firstPosition[v]!;
-    welded.set(positions.subarray(p, p + 3), 3 * v);
+  const welded = triangles.slice() as Uint32Array<ArrayBuffer>;
+  for (let c = 0; c < welded.length; c++) {
+    const p = welded[c]!;
+    if (p < count) welded[c] = vertexOfPosition[p]!;
   }
-  const weldedTriangles = triangles.slice() as Uint32Array<ArrayBuffer>;
-  for (let c = 0; c < weldedTriangles.length; c++) {
-    const p = weldedTriangles[c]!;
-    if (p < count) weldedTriangles[c] = vertexOfPosition[p]!;
-  }
-  return { positions: welded, triangles: weldedTriangles, vertexOfPosition };
+  return { vertexOfPosition, positionOfVertex: firstPosition.slice(0, vertices), triangles: welded };
 }
 
-/** Spreads welded positions (#V×3) back over the source positions (#P×3). */
-export function unweld(
+/** Positions of welded vertices (#V×3), each where its first source position (of #P×3) is. */
+export function gather(
+  positions: Float64Array,
+  { positionOfVertex }: Pick<Weld, 'positionOfVertex'>,
+): Float64Array<ArrayBuffer> {
+  const gathered = new Float64Array(3 * positionOfVertex.length);
+  for (let v = 0; v < positionOfVertex.length; v++) {
+    const p = 3 * positionOfVertex[v]!;
+    gathered[3 * v] = positions[p]!;
+    gathered[3 * v + 1] = positions[p + 1]!;
+    gathered[3 * v + 2] = positions[p + 2]!;
+  }
+  return gathered;
+}
+
+/** Spreads positions of welded vertices (#V×3) back over the source positions (#P×3). */
+export function spread(
   welded: Float64Array,
-  vertexOfPosition: Uint32Array,
+  { vertexOfPosition }: Pick<Weld, 'vertexOfPosition'>,
   into: Float64Array<ArrayBuffer> = new Float64Array(3 * vertexOfPosition.length),
 ): Float64Array<ArrayBuffer> {
   for (let p = 0; p < vertexOfPosition.length; p++) {

@@ -1,11 +1,19 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { lambdaPerVertex, regularizer, shared } from './local-global.ts';
+import { lambdaPerVertex, regularizer, shared } from './shared-parameters.ts';
+import { startingRegularizer, startingStrength } from './starting-lambda.ts';
 
 export const analogy: MethodDescriptor = {
   id: 'analogy',
   title: 'Style',
   summary: 'Give the mesh the style of another shape: its normals turn to those that the style has there.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021',
+  shading: 'smooth',
+  targets: ({ dynamicTargets }) => ({
+    style: 'style',
+    lookedUpFrom: dynamicTargets === true ? 'output' : 'input',
+  }),
+  startingValues: ({ report, style }) =>
+    style ? { lambda: startingStrength(style), regularizer: startingRegularizer(report, style) } : {},
   parameters: [
     {
       name: 'style',

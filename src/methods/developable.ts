@@ -1,11 +1,12 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { handles, iterations, strengthByVertex } from './local-global.ts';
+import { handles, iterations, strengthByVertex } from './shared-parameters.ts';
 
 export const developable: MethodDescriptor = {
   id: 'developable',
   title: 'Developable',
   summary: 'Make the mesh of pieces that unroll flat, as if folded of paper: curvature gathers on creases.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §5.2',
+  shading: 'flat',
   parameters: [
     {
       name: 'lambda',

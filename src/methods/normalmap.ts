@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { lambdaPerVertex, regularizer, shared } from './local-global.ts';
+import { lambdaPerVertex, regularizer, shared } from './shared-parameters.ts';
 
 export const normalmap: MethodDescriptor = {
   id: 'normalmap',
@@ -7,10 +7,11 @@ export const normalmap: MethodDescriptor = {
   summary:
     'Make shape of a picture: a normal map or a height map becomes geometry where it lies on the mesh.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §6',
+  shading: 'smooth',
   parameters: [
     {
       name: 'image',
-      kind: 'relief',
+      kind: 'textureSlopes',
       label: 'Picture',
       doc: 'A PNG, laid on the mesh by its texture coordinates, or a pattern of ours: weave, scales, hammered. A glTF may bring its own.',
       invalidates: 'weights',

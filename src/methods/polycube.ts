@@ -1,11 +1,13 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { iterations } from './local-global.ts';
+import { iterations } from './shared-parameters.ts';
 
 export const polycube: MethodDescriptor = {
   id: 'polycube',
   title: 'PolyCube',
   summary: 'Turn every face to the closest of a few directions and let the details go: a mesh of boxes.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §5.1',
+  shading: 'flat',
+  targets: () => ({ style: 'directions', lookedUpFrom: 'output' }),
   parameters: [
     {
       name: 'directions',

@@ -1,7 +1,8 @@
 import { analogy } from './analogy.ts';
+import { arap } from './arap.ts';
+import { cubic } from './cubic.ts';
 import type { MethodDescriptor } from './descriptor.ts';
 import { developable } from './developable.ts';
-import { arap, cubic } from './local-global.ts';
 import { normalmap } from './normalmap.ts';
 import { polycube } from './polycube.ts';
 import { spherical } from './spherical.ts';

@@ -7,6 +7,7 @@ export const spherical: MethodDescriptor = {
     'Let a closed mesh without handles flow to a sphere while its angles stay: how a style mesh is read.',
   paper:
     'Conformalized mean curvature flow, Kazhdan et al. 2012, for Normal-Driven Spherical Shape Analogies, 2021, §3.1',
+  shading: 'smooth',
   parameters: [
     {
       name: 'timeStep',

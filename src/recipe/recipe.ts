@@ -1,9 +1,9 @@
 import { type FailureCode, WhittleError } from '../mesh/failure.ts';
 import { checkParameters } from '../methods/check.ts';
-import type { ParameterValues } from '../methods/descriptor.ts';
 import { findMethod, methods } from '../methods/registry.ts';
 import { didYouMean } from '../methods/suggest.ts';
-import { isObject, parseJson } from './json.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
+import { isObject, parseJson } from '../methods/values/json.ts';
 
 /** One run of a method. Each step begins from the shape that the one before left, as its rest shape. */
 export interface RecipeStep {

@@ -1,8 +1,8 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import { edgesOf } from '../mesh/edges.ts';
 import type { Mesh } from '../mesh/mesh.ts';
-import { weld } from '../mesh/weld.ts';
-import { NormalWriter } from './normals.ts';
+import { NormalWriter } from '../mesh/normals.ts';
+import { weldOf } from '../mesh/weld.ts';
 import { frameOf, toView, type ViewFrame } from './view-frame.ts';
 
 /**
@@ -22,8 +22,8 @@ export class Surface {
   constructor(mesh: Mesh) {
     this.#mesh = mesh;
     this.frame = frameOf(mesh.positions);
-    const { positions, triangles, vertexOfPosition } = weld(mesh.positions, mesh.triangles);
-    const vertices = positions.length / 3;
+    const { triangles, vertexOfPosition, positionOfVertex } = weldOf(mesh);
+    const vertices = positionOfVertex.length;
     this.#welded = { triangles, vertices };
     this.#normals = new NormalWriter(mesh.triangles, triangles, vertexOfPosition, vertices);
     this.#position = dynamic(mesh.positions.length);

@@ -1,27 +1,46 @@
-import { readdirSync, readFileSync } from 'node:fs';
-import { dirname, join, normalize } from 'node:path';
+import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { arrowsOf, circlesOf, filesBelow, roomOf } from './imports.ts';
 
-/** Which rooms a room may import from (DESIGN §1). What is not listed is forbidden. */
+/** Which rooms a room may import from (the README's layout). What is not listed is forbidden. */
 const typescriptArrows: Record<string, string[]> = {
   'src/mesh': [],
-  'src/methods': [],
-  'src/styles': ['src/mesh', 'src/methods'],
-  'src/textures': ['src/styles', 'src/mesh', 'src/methods'],
+  'src/methods': ['src/mesh'],
   'src/io': ['src/mesh'],
-  'src/recipe': ['src/methods', 'src/mesh'],
+  'src/inputs': ['src/io', 'src/methods', 'src/mesh'],
   'src/engine': ['src/io', 'src/methods', 'src/mesh', 'wasm/dist'],
+  'src/recipe': ['src/inputs', 'src/engine', 'src/methods', 'src/mesh'],
+  'src/measures': ['src/inputs', 'src/methods', 'src/mesh'],
   'src/viewer': ['src/mesh'],
-  'src/cli': ['src/engine', 'src/recipe', 'src/io', 'src/styles', 'src/textures', 'src/methods', 'src/mesh'],
-  web: [
-    'src/engine',
-    'src/viewer',
+  'src/editor': [
     'src/recipe',
-    'src/styles',
-    'src/textures',
+    'src/measures',
+    'src/inputs',
+    'src/engine',
+    'src/io',
     'src/methods',
     'src/mesh',
+  ],
+  'src/element': [
+    'src/editor',
+    'src/viewer',
+    'src/recipe',
+    'src/engine',
     'src/io',
+    'src/methods',
+    'src/mesh',
+  ],
+  'src/cli': ['src/recipe', 'src/engine', 'src/io', 'src/methods', 'src/mesh'],
+  web: [
+    'src/editor',
+    'src/viewer',
+    'src/measures',
+    'src/recipe',
+    'src/inputs',
+    'src/engine',
+    'src/io',
+    'src/methods',
+    'src/mesh',
   ],
 };
 
@@ -37,16 +56,6 @@ const coreArrows: Record<string, string[]> = {
   session: ['methods', 'constraints', 'targets', 'mesh', 'base'],
 };
 
-function filesBelow(folder: string, ending: RegExp): string[] {
-  return readdirSync(folder, { recursive: true, encoding: 'utf8' })
-    .filter((name) => ending.test(name) && !name.includes('node_modules'))
-    .map((name) => join(folder, name));
-}
-
-function roomOf(path: string, rooms: Iterable<string>): string | undefined {
-  return [...rooms].find((room) => path.startsWith(`${room}/`));
-}
-
 describe('arrows of the house', () => {
   const rooms = Object.keys(typescriptArrows);
 
@@ -54,13 +63,15 @@ describe('arrows of the house', () => {
     const files = filesBelow(room, /\.ts$/);
     expect(files.length).toBeGreaterThan(0);
     for (const file of files) {
-      const text = readFileSync(file, 'utf8');
-      for (const [, target] of text.matchAll(/(?:from|import|import\()\s*'(\.[^']+)'/g)) {
-        const path = normalize(join(dirname(file), target!));
-        const other = roomOf(path, [...rooms, 'wasm/dist']) ?? path;
+      for (const target of arrowsOf(file)) {
+        const other = roomOf(target, [...rooms, 'wasm/dist']) ?? target;
         expect([room, ...typescriptArrows[room]!], `${file} imports ${target}`).toContain(other);
       }
     }
+  });
+
+  test('no file imports itself by way of others', () => {
+    expect(circlesOf([...filesBelow('src', /\.ts$/), ...filesBelow('web', /\.ts$/)])).toEqual([]);
   });
 
   test.each(Object.keys(coreArrows))('core/%s includes only what it may', (room) => {
@@ -100,29 +111,5 @@ describe('arrows of the house', () => {
         expect(doors, `${door} shows ${target}`).toContain(target);
       }
     }
-  });
-
-  test('only engine/wasm-heap.ts touches the wasm heap, only the core and its wasm files call the C interface', () => {
-    const heap = /^src\/engine\/wasm-(heap|module)\.ts$/; // the module only declares it
-    const callers = /^src\/engine\/(core|wasm-[a-z]+)\.ts$/;
-    for (const file of filesBelow('src', /\.ts$/)) {
-      const text = readFileSync(file, 'utf8');
-      if (!heap.test(file)) expect(text, file).not.toMatch(/HEAP(U8|F64|32)|_malloc|\b_free/);
-      if (!callers.test(file)) expect(text, file).not.toMatch(/_whittle_/);
-    }
-  });
-
-  test('no Emscripten in the core, no file over the wall', () => {
-    for (const file of filesBelow('wasm/core', /\.(h|cpp)$/)) {
-      expect(readFileSync(file, 'utf8'), file).not.toMatch(/emscripten/i);
-    }
-    const all = [
-      ...filesBelow('src', /\.ts$/),
-      ...filesBelow('web', /\.(ts|css)$/),
-      ...filesBelow('wasm/core', /\.(h|cpp)$/),
-      ...filesBelow('tests', /\.(ts|cpp|h)$/),
-    ];
-    for (const file of all)
-      expect(readFileSync(file, 'utf8').split('\n').length, file).toBeLessThanOrEqual(401);
   });
 });

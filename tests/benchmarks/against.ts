@@ -1,14 +1,14 @@
 import { readFileSync } from 'node:fs';
 import { createServer } from 'vite';
-import type { Core, CoreSession } from '../../src/engine/core.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import { findPrimitive } from '../../src/styles/primitives.ts';
-import { testCore } from '../fixtures/core.ts';
+import type { Core, CoreSession } from '../../src/engine/core-api.ts';
+import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
+import { configure, testCore } from '../fixtures/core.ts';
 import type { TestMesh } from '../fixtures/meshes.ts';
 import { markdownTable, percent, withSpread } from './numbers.ts';
 import { type ComparedMethod, isCompared, type Options, type Size } from './options.ts';
 import { meshOf } from './program.ts';
-import { withBuiltReference } from './reference.ts';
+import { buildCore, withCheckout } from './reference.ts';
 
 const rounds = 15;
 const stepsARound = 6;
@@ -23,7 +23,8 @@ interface Side {
 
 /** Times the wasm module of the working tree against that of a git reference, by turns in this very process. */
 export async function benchmarkAgainst(reference: string, options: Options): Promise<void> {
-  await withBuiltReference(reference, async (folder, commit) => {
+  await withCheckout(reference, async (folder, commit) => {
+    buildCore(folder, reference);
     const base = await loadBase(folder, reference);
     const head = await testCore();
     const rows: string[][] = [];
@@ -122,7 +123,7 @@ function turnedEnd({ positions }: TestMesh): { vertices: number[]; targets: [num
 function open(core: Core, mesh: TestMesh, method: ComparedMethod, parameters: ParameterValues): CoreSession {
   const session = core.open();
   session.load(mesh.positions, mesh.triangles);
-  session.configure(method, parameters);
+  configure(session, mesh, method, parameters);
   return session;
 }
 

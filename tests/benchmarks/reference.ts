@@ -4,12 +4,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 /**
- * Checks a git reference out beside the repository, builds its wasm module and hands both to `use`. The checkout goes
- * again, whatever happens.
+ * Checks a git reference out into a folder of its own and hands it to `use`. The checkout goes again, whatever happens.
  *
- * @throws Error, with the last lines of the compiler, where the reference does not exist or does not build
+ * @throws Error where git does not know the reference
  */
-export async function withBuiltReference(
+export async function withCheckout(
   reference: string,
   use: (folder: string, commit: string) => Promise<void>,
 ): Promise<void> {
@@ -29,7 +28,6 @@ export async function withBuiltReference(
   process.once('SIGTERM', interrupted);
   try {
     run('git', ['worktree', 'add', '--detach', folder, commit]);
-    build(folder, reference);
     await use(folder, commit);
   } finally {
     process.off('SIGINT', interrupted);
@@ -46,7 +44,12 @@ function commitOf(reference: string): string {
   }
 }
 
-function build(folder: string, reference: string): void {
+/**
+ * Builds only the wasm module of a checkout, into its `wasm/dist`.
+ *
+ * @throws Error, with the last lines of the compiler, where it does not build
+ */
+export function buildCore(folder: string, reference: string): void {
   console.error(`Building the core of ${reference} as wasm …`);
   const [source, into] = [join(folder, 'wasm'), join(folder, 'wasm/build/wasm')];
   try {
@@ -54,6 +57,20 @@ function build(folder: string, reference: string): void {
     run('cmake', ['--build', into, '--target', 'whittle-core']);
   } catch (cause) {
     throw new Error(`The core of ${reference} does not build here. ${(cause as Error).message}`);
+  }
+}
+
+/**
+ * Does the whole set-up of a checkout, after which its command line runs: packages, wasm module, `whittle`.
+ *
+ * @throws Error, with the last lines of what failed
+ */
+export function setUpCommandLine(folder: string, reference: string): void {
+  console.error(`Setting ${reference} up …`);
+  try {
+    run(process.execPath, [join(folder, 'wasm/tools/setup.mjs'), 'start']);
+  } catch (cause) {
+    throw new Error(`${reference} cannot be set up here. ${(cause as Error).message}`);
   }
 }
 

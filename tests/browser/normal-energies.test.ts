@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { carved, picture } from './support/browser.ts';
+import { carved, entered, picture } from './support/browser.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();
@@ -8,20 +8,16 @@ let page: Page;
 
 const shading = () => page.locator('input[name=shading]:checked').inputValue();
 
-/** Takes a method and waits for its own result. */
-async function choose(title: string): Promise<void> {
+/** Takes a method and waits for its own result. The entry has the name of what the method starts with, if it starts with something. */
+async function choose(title: string, entry = title): Promise<void> {
   await page.locator('.switch').getByText(title, { exact: true }).click();
-  await page.waitForFunction(
-    (wanted) => document.querySelector('.switch input:checked + .switch-face')?.textContent === wanted,
-    title,
-  );
-  await carved(page);
+  await entered(page, entry);
 }
 
 it('makes boxes of a mesh, by the directions of a shape', async () => {
   page = await pages.open();
   const cubic = await picture(page);
-  await choose('PolyCube');
+  await choose('PolyCube', 'Cube');
   expect(await page.locator('.tile[aria-selected=true]').getAttribute('title')).toBe('Cube');
   expect(await page.locator('.tile[data-style^=meshes]').count()).toBe(0);
   expect(await page.locator('[data-act=paint]').count()).toBe(0);
@@ -45,11 +41,7 @@ it('folds a mesh, and shades it by faces unless told otherwise', async () => {
   const range = page.getByLabel('Creases', { exact: true });
   await range.focus();
   await page.keyboard.press('Home');
-  await carved(page);
-  await page.waitForFunction(
-    () => document.querySelector('[data-act=undo]')?.getAttribute('aria-label') === 'Undo Creases',
-  );
-  await carved(page);
+  await entered(page, 'Creases');
   expect(await picture(page)).not.toBe(half);
   await choose('Cubic');
   expect(await shading()).toBe('smooth');

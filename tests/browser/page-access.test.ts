@@ -1,13 +1,14 @@
 import { describe, expect, it } from 'vitest';
 
 import { violations } from './support/axe.ts';
+import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
 const pages = usePage();
 
-describe.each(['light', 'dark'] as const)('in %s', (colorScheme) => {
+describe.runIf(canEmulate).each(['light', 'dark'] as const)('in %s', (colorScheme) => {
   it('passes axe closed and with everything open', async () => {
     const page = await pages.open({ colorScheme });
     expect(await violations(page)).toEqual([]);
@@ -25,29 +26,32 @@ describe.each(['light', 'dark'] as const)('in %s', (colorScheme) => {
   });
 });
 
-it('fits a phone: nothing overflows, the slider is within a thumb’s reach, targets are 44 px', async () => {
-  const page = await pages.open(phone);
-  const found = await page.evaluate(() => {
-    const seen = (element: Element) => element.getBoundingClientRect().width > 1;
-    const targets = [
-      ...document.querySelectorAll('button, summary, input[type=range], .segments label'),
-    ].filter(seen);
-    const size = (element: Element) => {
-      const { width, height } = element.getBoundingClientRect();
-      return Math.min(width, height);
-    };
-    return {
-      overflow: document.documentElement.scrollWidth - innerWidth,
-      small: targets
-        .filter((element) => size(element) < 43.5)
-        .map((element) => element.outerHTML.slice(0, 120)),
-      slider: document.querySelector('input[type=range]')!.getBoundingClientRect().top / innerHeight,
-    };
-  });
-  expect(found.overflow).toBeLessThanOrEqual(0);
-  expect(found.small).toEqual([]);
-  expect(found.slider).toBeGreaterThan(0.55);
-});
+it.runIf(canEmulate)(
+  'fits a phone: nothing overflows, the slider is within a thumb’s reach, targets are 44 px',
+  async () => {
+    const page = await pages.open(phone);
+    const found = await page.evaluate(() => {
+      const seen = (element: Element) => element.getBoundingClientRect().width > 1;
+      const targets = [
+        ...document.querySelectorAll('button, summary, input[type=range], .segments label'),
+      ].filter(seen);
+      const size = (element: Element) => {
+        const { width, height } = element.getBoundingClientRect();
+        return Math.min(width, height);
+      };
+      return {
+        overflow: document.documentElement.scrollWidth - innerWidth,
+        small: targets
+          .filter((element) => size(element) < 43.5)
+          .map((element) => element.outerHTML.slice(0, 120)),
+        slider: document.querySelector('input[type=range]')!.getBoundingClientRect().top / innerHeight,
+      };
+    });
+    expect(found.overflow).toBeLessThanOrEqual(0);
+    expect(found.small).toEqual([]);
+    expect(found.slider).toBeGreaterThan(0.55);
+  },
+);
 
 it('goes through light and dark by its button and remembers', async () => {
   const page = await pages.open({ colorScheme: 'light' });
@@ -62,6 +66,7 @@ it('goes through light and dark by its button and remembers', async () => {
 
 it('without WebGL says so and still carves', async () => {
   const context = await pages.browser.newContext();
+  context.setDefaultTimeout(0);
   const page = await context.newPage();
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;

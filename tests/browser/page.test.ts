@@ -1,4 +1,3 @@
-import { readFile } from 'node:fs/promises';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import {
@@ -7,10 +6,10 @@ import {
   lambda,
   picture,
   solveForever,
-  solving,
+  solvingInWorker,
   status,
-  workersStarted,
 } from './support/browser.ts';
+import { saved } from './support/downloads.ts';
 import { usePage } from './support/use-page.ts';
 
 const cube = `# by hand
@@ -87,9 +86,6 @@ it('takes a held arrow key for one gesture', async () => {
 it('stops on Escape and keeps what there is', async () => {
   await open();
   await solveForever(page);
-  await page.locator('input[type=range]').focus();
-  await page.keyboard.down('ArrowRight');
-  await solving(page);
   await page.keyboard.press('Escape');
   await page.waitForFunction(
     () => document.querySelector<HTMLElement>('whittle-status')?.dataset.activity === 'idle',
@@ -125,16 +121,15 @@ it('gives the file back with the same face lines', async () => {
     document.querySelector('.report summary')?.textContent?.includes('12 faces'),
   );
   await carved(page);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('e')]);
-  expect(download.suggestedFilename()).toBe('cube-cubic.obj');
+  const { name, bytes } = await saved(page, () => page.keyboard.press('e'));
+  expect(name).toBe('cube-cubic.obj');
   const faces = (text: string) => text.split('\n').filter((line) => line.startsWith('f '));
-  expect(faces(await readFile(await download.path(), 'utf8'))).toEqual(faces(cube));
+  expect(faces(bytes.toString())).toEqual(faces(cube));
 });
 
 it('saves a picture', async () => {
   await open();
-  const [download] = await Promise.all([page.waitForEvent('download'), act('picture').click()]);
-  const bytes = await readFile(await download.path());
+  const { bytes } = await saved(page, () => act('picture').click());
   expect(bytes.toString('latin1', 1, 4)).toBe('PNG');
   expect(bytes.length).toBeGreaterThan(20_000);
 });
@@ -142,12 +137,8 @@ it('saves a picture', async () => {
 it('survives one death of the worker unnoticed and offers a retry after the second', async () => {
   await open();
   await solveForever(page);
-  await page.locator('input[type=range]').focus();
-  await page.keyboard.down('ArrowRight');
-  await solving(page);
   await killWorker(page);
-  await solving(page);
-  expect(await workersStarted(page)).toBe(2);
+  await solvingInWorker(page, 2);
   expect(await page.locator('.notice').count()).toBe(0);
   await killWorker(page);
   await act('again').click();
@@ -175,7 +166,7 @@ it('changes shading and opens samples from the keyboard', async () => {
 
 it('does not draw while nothing changes', async () => {
   await open();
-  await page.waitForTimeout(1500);
+  // Glides and thumbnails end by themselves; then nobody asks for a frame any more, however long one waits.
   const asked = await page.evaluate(async () => {
     let calls = 0;
     const real = globalThis.requestAnimationFrame;
@@ -183,8 +174,14 @@ it('does not draw while nothing changes', async () => {
       calls++;
       return real(callback);
     };
-    await new Promise((resolve) => setTimeout(resolve, 400));
-    return calls;
+    const pause = () => new Promise((resolve) => setTimeout(resolve, 400));
+    for (let before = -1; before !== calls; ) {
+      before = calls;
+      await pause();
+    }
+    const atRest = calls;
+    await pause();
+    return calls - atRest;
   });
   expect(asked).toBe(0);
 });

@@ -1,11 +1,12 @@
-import { readFile } from 'node:fs/promises';
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
-import { pixelsOfMap, sphereMap } from '../../src/styles/captures.ts';
-import { isPng, writePng } from '../../src/styles/png.ts';
-import { unit } from '../../src/styles/vectors.ts';
+import { isPng, writePng } from '../../src/inputs/images/png.ts';
+import { pixelsOfMap, sphereMap } from '../../src/inputs/styles/captures.ts';
+import { unit } from '../../src/mesh/vectors.ts';
 import { violations } from './support/axe.ts';
 import { carved, picture } from './support/browser.ts';
+import { saved } from './support/downloads.ts';
+import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
@@ -137,8 +138,7 @@ it('paints a stroke live, one entry, and saves the ball as a picture', async () 
   );
   await carved(page);
   expect(await picture(page)).not.toBe(before);
-  const [download] = await Promise.all([page.waitForEvent('download'), act('save-capture').click()]);
-  expect(isPng(await readFile(await download.path()))).toBe(true);
+  expect(isPng((await saved(page, () => act('save-capture').click())).bytes)).toBe(true);
   await page.keyboard.press('Control+z');
   expect(await undoLabel()).toBe('Undo Octahedron');
   expect(await picture(page)).toBe(before);
@@ -185,7 +185,7 @@ it('colours the mesh by what it measures and says what the colours mean', async 
   expect(await picture(page)).toBe(clay);
 });
 
-describe.each([
+describe.runIf(canEmulate).each([
   ['in light', { colorScheme: 'light' }],
   ['in dark', { colorScheme: 'dark' }],
   ['on a phone', phone],

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import { lookup } from '../../src/styles/gauss-lookup.ts';
-import { findPrimitive } from '../../src/styles/primitives.ts';
+import { lookup } from '../../src/inputs/styles/gauss-lookup.ts';
+import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
 import { bunny, icosphere, type TestMesh } from '../fixtures/meshes.ts';
 import { risesOf, run } from '../fixtures/runs.ts';
 import { plate } from '../fixtures/shapes.ts';

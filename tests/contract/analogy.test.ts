@@ -1,8 +1,9 @@
 import { describe, expect, test } from 'vitest';
-import type { GaussMap } from '../../src/methods/gauss-map.ts';
-import { isFaceted } from '../../src/styles/faceted.ts';
-import { findPrimitive } from '../../src/styles/primitives.ts';
-import { resolveStyle, styleNames } from '../../src/styles/resolve.ts';
+import { isFaceted } from '../../src/inputs/styles/faceted.ts';
+import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
+import { resolveStyle, styleNames } from '../../src/inputs/styles/resolve.ts';
+import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
+import { encodedNumbers } from '../../src/methods/values/parameter.ts';
 import { testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere } from '../fixtures/meshes.ts';
 import { run } from '../fixtures/runs.ts';
@@ -83,10 +84,10 @@ describe('λ by vertex', () => {
   test('a wrong number of them, or one out of range, is refused', async () => {
     const session = (await testCore()).open();
     session.load(icosphere(1).positions, icosphere(1).triangles);
-    expect(() => session.configure('cubic', { lambdaPerVertex: [1, 2] })).toThrow(
+    expect(() => session.configure('cubic', new Map([['lambdaPerVertex', encodedNumbers([1, 2])]]))).toThrow(
       /2 numbers for 42 vertices/,
     );
-    expect(() => session.configure('analogy', {}) as unknown).not.toThrow();
+    expect(() => session.configure('analogy', new Map()) as unknown).not.toThrow();
     expect(() => session.prepare()).toThrow(/needs a style/);
     session.free();
   });

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import type { CoreSession } from '../../src/engine/core.ts';
+import type { CoreSession } from '../../src/engine/core-api.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
-import { testCore } from '../fixtures/core.ts';
+import { configure, testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere, type TestMesh, together } from '../fixtures/meshes.ts';
 
 interface Run {
@@ -18,7 +18,7 @@ async function open(mesh: TestMesh): Promise<CoreSession> {
 
 async function stylize(mesh: TestMesh, parameters: Record<string, number>): Promise<Run> {
   const session = await open(mesh);
-  session.configure('cubic', parameters);
+  configure(session, mesh, 'cubic', parameters);
   session.prepare();
   const energy: number[] = [];
   let outcome = 'running';
@@ -141,7 +141,7 @@ describe('the core’s border', () => {
     const session = (await testCore()).open();
     const { positions, triangles } = icosphere(2);
     session.load(positions, triangles.slice(3));
-    session.configure('spherical', {});
+    session.configure('spherical', new Map());
     expect(() => session.prepare()).toThrowError(
       /open along 3 edges, the first at vertex \d+; close its holes/,
     );
@@ -156,7 +156,7 @@ describe('the core’s border', () => {
     const mesh = bunnyLevel(3);
     const session = core.open();
     session.load(mesh.positions, mesh.triangles);
-    session.configure('cubic', {});
+    session.configure('cubic', new Map());
     session.prepare();
     session.step();
     expect(core.heapBytes() / (mesh.positions.length / 3)).toBeLessThan(1.5 * 1024);

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import type { ParameterDescriptor } from '../../src/methods/descriptor.ts';
 import { methods } from '../../src/methods/registry.ts';
-import { testCore } from '../fixtures/core.ts';
+import type { ParameterDescriptor } from '../../src/methods/values/index.ts';
+import { configure, testCore } from '../fixtures/core.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 
 const isForCore = (parameter: ParameterDescriptor) => !('isForLibrary' in parameter);
@@ -25,14 +25,16 @@ test('descriptors and the core’s registry say the same: ids, names, kinds, def
 
 test('the default of a choice is one of its names, and a stranger is refused', async () => {
   const session = (await testCore()).open();
-  const { positions, triangles } = icosphere(1);
-  session.load(positions, triangles);
+  const ball = icosphere(1);
+  session.load(ball.positions, ball.triangles);
   for (const { id, parameters } of methods) {
     for (const parameter of parameters) {
       if (parameter.kind !== 'choice' || !isForCore(parameter)) continue;
       expect(parameter.choices).toContain(parameter.default);
-      for (const choice of parameter.choices) session.configure(id, { [parameter.name]: choice });
-      expect(() => session.configure(id, { [parameter.name]: 'sideways' })).toThrowError(parameter.name);
+      for (const choice of parameter.choices) configure(session, ball, id, { [parameter.name]: choice });
+      expect(() => configure(session, ball, id, { [parameter.name]: 'sideways' })).toThrowError(
+        parameter.name,
+      );
     }
   }
   session.free();

@@ -1,10 +1,10 @@
 import { describe, expect, test } from 'vitest';
+import { textureOf } from '../../src/inputs/images/texture.ts';
+import { textureSlopesOf } from '../../src/inputs/images/texture-slopes.ts';
 import { readMesh } from '../../src/io/index.ts';
-import type { ParameterValues } from '../../src/methods/descriptor.ts';
-import { cross, dot, length, row, scale, subtract, unit, type Vec3 } from '../../src/styles/vectors.ts';
-import { reliefOf } from '../../src/textures/relief.ts';
-import { textureOf } from '../../src/textures/texture.ts';
-import { testCore } from '../fixtures/core.ts';
+import { cross, dot, length, row, scale, subtract, unit, type Vec3 } from '../../src/mesh/vectors.ts';
+import type { ParameterValues } from '../../src/methods/values/index.ts';
+import { configure, testCore } from '../fixtures/core.ts';
 import { normalMap, paint, plate, type TexturedMesh, texturedObj } from '../fixtures/textured.ts';
 
 const regularizers = ['arap', 'farap', 'acap'] as const;
@@ -13,7 +13,7 @@ const regularizers = ['arap', 'farap', 'acap'] as const;
 async function raised(mesh: TexturedMesh, parameters: ParameterValues): Promise<Float64Array> {
   const session = (await testCore()).open();
   session.load(mesh.positions, mesh.triangles);
-  session.configure('normalmap', parameters);
+  configure(session, mesh, 'normalmap', parameters);
   session.prepare();
   while (session.step().outcome === 'running');
   const positions = new Float64Array(mesh.positions.length);
@@ -47,7 +47,7 @@ describe('a plate with the normal map of known waves', () => {
 
   /** Which share of the waves is there, how far heights are off as a share of them, and how wide the plate is. */
   async function measured(amplitude: number, parameters: ParameterValues) {
-    const image = reliefOf(textureOf(normalMap(512, waves(amplitude)), 'waves'), mesh);
+    const image = textureSlopesOf(textureOf(normalMap(512, waves(amplitude)), 'waves'), mesh);
     const positions = await raised(mesh, { ...parameters, image });
     const count = positions.length / 3;
     const middle = positions.reduce((sum, x, i) => (i % 3 === 2 ? sum + x / count : sum), 0);
@@ -83,7 +83,7 @@ describe('a plate with the normal map of known waves', () => {
       return [white, white, white];
     });
     const small = plate(40);
-    const positions = await raised(small, { image: reliefOf(textureOf(bump, 'bump'), small) });
+    const positions = await raised(small, { image: textureSlopesOf(textureOf(bump, 'bump'), small) });
     let top = 2;
     for (let i = 2; i < positions.length; i += 3) if (positions[i]! > positions[top]!) top = i;
     expect(small.positions[top - 2]).toBeCloseTo(0.3, 1);
@@ -147,7 +147,7 @@ describe('a ring, read from a file', () => {
   test.each(regularizers)('%s: the normals of the shape are those of the map', async (regularizer) => {
     for (const isMirrored of [false, true]) {
       const mesh = ring(isMirrored);
-      const image = reliefOf(textureOf(map, 'map'), mesh);
+      const image = textureSlopesOf(textureOf(map, 'map'), mesh);
       const targets = wanted(isMirrored);
       const before = meanAngle(normalsOf(mesh.positions, mesh.triangles), targets);
       const after = meanAngle(normalsOf(await raised(mesh, { image, regularizer }), mesh.triangles), targets);
@@ -163,15 +163,15 @@ describe('a ring, read from a file', () => {
       'flat',
     );
     for (const regularizer of regularizers) {
-      const still = { image: reliefOf(textureOf(map, 'map'), mesh), strength: 0, regularizer };
+      const still = { image: textureSlopesOf(textureOf(map, 'map'), mesh), strength: 0, regularizer };
       expect(await raised(mesh, still)).toEqual(mesh.positions);
-      expect(await raised(mesh, { image: reliefOf(flat, mesh), regularizer })).toEqual(mesh.positions);
+      expect(await raised(mesh, { image: textureSlopesOf(flat, mesh), regularizer })).toEqual(mesh.positions);
     }
   });
 
   test('the same picture gives the same bits, and handles hold what they hold', async () => {
     const mesh = ring(false);
-    const image = reliefOf(textureOf(map, 'map'), mesh);
+    const image = textureSlopesOf(textureOf(map, 'map'), mesh);
     const held = { vertices: [0, 5000], targets: [[1.5, 0, 0.1] as const, row(mesh.positions, 5000)] };
     const positions = await raised(mesh, { image, handles: held });
     expect(await raised(mesh, { image, handles: held })).toEqual(positions);
@@ -185,15 +185,17 @@ test('a relief of another mesh is refused, and a mere name too', async () => {
   const session = (await testCore()).open();
   const mesh = plate(4);
   session.load(mesh.positions, mesh.triangles);
-  const image = reliefOf(
+  const image = textureSlopesOf(
     textureOf(
       paint(4, () => [0.2, 0.5, 0.9]),
       'a',
     ),
     plate(5),
   );
-  expect(() => session.configure('normalmap', { image })).toThrow(/each corner of the mesh’s 18 faces/);
-  session.configure('normalmap', {});
+  expect(() => configure(session, mesh, 'normalmap', { image })).toThrow(
+    /each corner of the mesh’s 18 faces/,
+  );
+  session.configure('normalmap', new Map());
   expect(() => session.prepare()).toThrow(/normalmap needs a picture/);
   session.free();
 });

@@ -26,13 +26,24 @@ export function buildTests() {
     '-DWHITTLE_TESTS=ON',
     ...checked,
   ]);
+  // Only the tests: the module itself is in wasm/dist already, and something may be running it.
   configureAndBuild(
     'Building the C++ tests as wasm',
     'wasm/build/wasm-tests',
     ['-DWHITTLE_TESTS=ON'],
     'emcmake',
+    'whittle-core-tests',
   );
   markFresh('native-tests', state);
+}
+
+/** Builds the C++ tests natively as a release is built: optimized, without assertions and sanitizers. */
+export function buildReleaseTests() {
+  const state = fingerprint(testSources, probe('c++')?.split('\n')[0]);
+  if (existsSync('wasm/build/release-tests') && isFresh('release-tests', state)) return;
+  const options = ['-DWHITTLE_TESTS=ON', '-DCMAKE_BUILD_TYPE=Release'];
+  configureAndBuild('Building the C++ tests as a release', 'wasm/build/release-tests', options);
+  markFresh('release-tests', state);
 }
 
 /** Builds the benchmark program: natively for this very processor, and as wasm for Node. */

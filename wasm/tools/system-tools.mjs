@@ -1,4 +1,5 @@
 import { existsSync } from 'node:fs';
+import { findBrowser } from './browsers.mjs';
 import { fail, probe, runQuietly } from './run.mjs';
 
 const eigenFolders = ['/usr/include/eigen3', '/usr/local/include/eigen3', '/opt/homebrew/include/eigen3'];
@@ -28,21 +29,28 @@ const tools = [
     apt: 'doctest-dev',
     brew: 'doctest',
   },
-  { name: 'Chromium', for: 'browser', found: findChromium, apt: 'chromium', brew: '--cask chromium' },
+  {
+    name: 'Chromium',
+    for: 'chromium',
+    found: () => findBrowser('chromium'),
+    apt: 'chromium',
+    brew: '--cask chromium',
+  },
+  {
+    name: 'Firefox',
+    for: 'firefox',
+    found: () => findBrowser('firefox'),
+    apt: 'firefox-esr',
+    brew: '--cask firefox',
+  },
+  // Without a screen Firefox has no WebGL.
+  {
+    name: 'Xvfb',
+    for: 'firefox',
+    found: () => process.platform !== 'linux' || probe('which', ['Xvfb']),
+    apt: 'xvfb',
+  },
 ];
-
-/** The Chromium that browser tests drive: CHROMIUM_PATH, or the first that is installed. */
-export function findChromium() {
-  const candidates = [
-    process.env.CHROMIUM_PATH,
-    '/usr/bin/chromium',
-    '/usr/bin/chromium-browser',
-    '/usr/bin/google-chrome',
-    '/Applications/Chromium.app/Contents/MacOS/Chromium',
-    '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
-  ];
-  return candidates.find((path) => path && existsSync(path));
-}
 
 /** Installs what the given purposes miss, where the package manager does so without asking; else says what to install. */
 export function requireTools(purposes) {

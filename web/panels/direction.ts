@@ -1,6 +1,6 @@
 import { html, LitElement, svg } from 'lit';
-import type { Vec3 } from '../../src/styles/vectors.ts';
-import { inWords, nudged, pointed } from '../tools/directions.ts';
+import type { Vec3 } from '../../src/mesh/vectors.ts';
+import { inWords, nudged, pointed } from '../app/view-directions.ts';
 
 const turn = Math.PI / 18;
 const steps: Readonly<Record<string, readonly [right: number, up: number]>> = {

@@ -1,7 +1,7 @@
 import { html, LitElement } from 'lit';
 import { Portraits } from '../../src/viewer/portraits.ts';
 import { darkTheme, lightTheme } from '../../src/viewer/stage.ts';
-import type { Flow } from '../document/store.ts';
+import type { Flow } from '../app/page-state.ts';
 
 /** A style mesh on its way to the sphere, as it happens. */
 export class WhittleFlow extends LitElement {

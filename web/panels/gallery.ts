@@ -1,9 +1,10 @@
 import { html, nothing } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
+import { activeStep } from '../../src/editor/project.ts';
+import { styleParameter } from '../../src/editor/starting-step.ts';
 import { findMethod } from '../../src/methods/registry.ts';
-import { styleParameter } from '../document/offered-methods.ts';
-import { groups, type StyleEntry, type StyleGroup } from '../document/style-gallery.ts';
-import { Photographer } from '../tools/photographer.ts';
+import { groups, type StyleEntry, type StyleGroup } from '../app/style-gallery.ts';
+import { Thumbnails } from '../app/thumbnails.ts';
 import { stepInGrid } from './grid-steps.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
@@ -11,17 +12,22 @@ import './flow-view.ts';
 
 /** The styles as little pictures. Arrow keys walk, Enter takes; a click restyles the mesh at once. */
 export class WhittleGallery extends PageElement {
-  readonly #photographer = new Photographer();
+  readonly #thumbnails = new Thumbnails();
   #shownId = '';
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#photographer.stop();
+    this.#thumbnails.stop();
+  }
+
+  get #parameter() {
+    const { project } = this.state;
+    return styleParameter(findMethod(project ? activeStep(project).method : ''));
   }
 
   /** A method that only takes a few directions is offered the convex shapes. */
   get #onlyShapes(): boolean {
-    return styleParameter(findMethod(this.state.document?.method ?? ''))?.mapping === 'closest';
+    return this.#parameter?.mapping === 'closest';
   }
 
   protected override render() {
@@ -50,7 +56,7 @@ export class WhittleGallery extends PageElement {
     if (chosen !== this.#shownId)
       this.querySelector(`[data-style="${chosen}"]`)?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     this.#shownId = chosen;
-    this.#photographer.look(this.querySelectorAll<HTMLCanvasElement>('.tile canvas'), (id) =>
+    this.#thumbnails.look(this.querySelectorAll<HTMLCanvasElement>('.tile canvas'), (id) =>
       this.state.gallery.entries.find((entry) => entry.id === id),
     );
   }

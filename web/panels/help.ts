@@ -1,5 +1,5 @@
 import { html } from 'lit';
-import { shortcuts } from '../tools/shortcuts.ts';
+import { shortcuts } from '../app/shortcuts.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
-import { ticksOf } from '../document/overlays/scale.ts';
-import { blank as blankColor, gradient } from '../document/ramp.ts';
+import { ticksOf } from '../../src/measures/scale.ts';
+import { blank as blankColor, gradient } from '../app/color-ramp.ts';
 import { PageElement } from './page-element.ts';
 
 /** What the colours on the mesh mean. */

@@ -1,9 +1,11 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { measuresFor, type Overlay } from '../document/overlays/index.ts';
-import { histogram, rangeOf } from '../document/overlays/scale.ts';
-import { ramp } from '../document/ramp.ts';
-import type { State } from '../document/store.ts';
-import type { Page } from '../tools/page.ts';
+import { measuredOf } from '../../src/editor/measured.ts';
+import { shownResult } from '../../src/editor/project.ts';
+import { measuresFor, type Overlay } from '../../src/measures/index.ts';
+import { histogram, rangeOf } from '../../src/measures/scale.ts';
+import type { Page } from '../app/actions.ts';
+import { ramp } from '../app/color-ramp.ts';
+import type { PageState } from '../app/page-state.ts';
 import { curve } from './sparkline.ts';
 
 const width = 272;
@@ -13,9 +15,10 @@ const parts = 34;
 const nothingChosen = { name: 'none', label: 'Nothing' } as const;
 
 /** Ways to look closer: colours on the mesh, how their values are spread, and how the energy fell. */
-export function measures(page: Page, { look, overlay, document, activity }: State): TemplateResult {
-  const energy = activity.kind === 'solving' ? activity.energy : (document?.result?.energy ?? []);
-  const offered = document ? measuresFor(document) : [];
+export function measures(page: Page, { look, overlay, project, activity }: PageState): TemplateResult {
+  const energy =
+    activity.kind === 'solving' ? activity.energy : ((project && shownResult(project)?.energy) ?? []);
+  const offered = project ? measuresFor(measuredOf(project)) : [];
   const chosen = offered.some(({ name }) => name === look.overlay) ? look.overlay : 'none';
   return html`
     <details class="measures">

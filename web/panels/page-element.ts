@@ -1,6 +1,6 @@
 import { LitElement } from 'lit';
-import type { State } from '../document/store.ts';
-import type { Page } from '../tools/page.ts';
+import type { Page } from '../app/actions.ts';
+import type { PageState } from '../app/page-state.ts';
 
 /** A panel: drawn from the page's state into the document itself, so that one style sheet and one focus order serve all. */
 export abstract class PageElement extends LitElement {
@@ -31,11 +31,11 @@ export abstract class PageElement extends LitElement {
     this.#unsubscribe = null;
   }
 
-  get state(): State {
+  get state(): PageState {
     return this.page.store.state;
   }
 
-  protected stateChanged(_state: State): void {}
+  protected stateChanged(_state: PageState): void {}
 
   protected override createRenderRoot(): this {
     return this;

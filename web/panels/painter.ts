@@ -1,8 +1,8 @@
 import { html } from 'lit';
-import type { Vec3 } from '../../src/styles/vectors.ts';
+import type { Vec3 } from '../../src/mesh/vectors.ts';
 import { normalColor, PaintBall } from '../../src/viewer/paint-ball.ts';
 import { darkTheme, lightTheme } from '../../src/viewer/stage.ts';
-import { nudged, toFile, toSeen } from '../tools/directions.ts';
+import { nudged, toFile, toSeen } from '../app/view-directions.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 import './direction.ts';

@@ -1,44 +1,48 @@
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { MethodDescriptor, StyleParameter } from '../../src/methods/descriptor.ts';
+import { activeStep, type Project, type Step } from '../../src/editor/project.ts';
+import { imageParameter, styleParameter } from '../../src/editor/starting-step.ts';
+import { formats } from '../../src/io/index.ts';
+import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
-import type { WhittleDocument } from '../document/document.ts';
-import { exportName, formats, ownFormat } from '../document/formats.ts';
+import type { StyleParameter } from '../../src/methods/values/style.ts';
+import { exportName, ownFormat } from '../app/export.ts';
 import {
   type EditableParameter,
   editableParameters,
   obstacle,
   offeredMethods,
-  styleParameter,
-  takesPicture,
-} from '../document/offered-methods.ts';
+} from '../app/offered-methods.ts';
 import { icon } from './icons.ts';
 import { measures } from './measures.ts';
 import { PageElement } from './page-element.ts';
 import type { ParameterChange } from './parameter-control.ts';
 import { meshReport } from './report.ts';
 import './gallery.ts';
+import './images.ts';
 import './menu.ts';
 import './painter.ts';
 import './parameter-control.ts';
-import { remarkOn } from './pictures.ts';
+import './stack.ts';
 
 /** The style and its few controls, made from the method's descriptor; the way home for the result; what the mesh is like. */
 export class WhittlePanel extends PageElement {
   protected override render() {
-    const { document } = this.state;
-    const method = document ? findMethod(document.method) : offeredMethods()[0];
+    const { project } = this.state;
+    const step = project && activeStep(project);
+    const method = step ? findMethod(step.method) : offeredMethods()[0];
     if (!method) return nothing;
     const style = styleParameter(method);
     return html`
+      ${project ? html`<whittle-stack .page=${this.page}></whittle-stack>` : nothing}
       ${this.#heading(method)}
-      ${style && document ? this.#styles(style) : nothing}
-      ${takesPicture(method) && document ? html`<whittle-pictures data-takes-pictures .page=${this.page}></whittle-pictures>` : nothing}
-      <div class="controls" @parameter=${this.#change}>${document ? this.#controls(method, document) : nothing}</div>
-      ${takesPicture(method) && document ? remarkOn(document) : nothing}
-      ${document ? this.#home(document) : nothing}
-      ${document ? measures(this.page, this.state) : nothing}
-      ${document ? meshReport(document) : nothing}
+      ${style && project ? this.#styles(style) : nothing}
+      ${imageParameter(method) && project ? html`<whittle-images data-takes-images .page=${this.page}></whittle-images>` : nothing}
+      <div class="controls" @parameter=${this.#change}>${step ? this.#controls(method, step) : nothing}</div>
+      ${project ? this.#addition(project) : nothing}
+      ${project ? this.#home(project) : nothing}
+      ${project ? measures(this.page, this.state) : nothing}
+      ${project ? meshReport(project) : nothing}
     `;
   }
 
@@ -62,8 +66,8 @@ export class WhittlePanel extends PageElement {
 
   /** A method that this mesh is not made for can be asked why. */
   #face(method: MethodDescriptor, isChosen: boolean) {
-    const { document } = this.state;
-    const why = document ? obstacle(method, document) : undefined;
+    const { project } = this.state;
+    const why = project ? obstacle(method, project.mesh) : undefined;
     return html`
       <label title=${why ?? nothing}>
         <input type="radio" name="method" .value=${method.id} .checked=${live(isChosen)} ?data-obstacle=${why !== undefined} @change=${this.#choose} /><span class="switch-face">${method.title}</span>
@@ -79,31 +83,48 @@ export class WhittlePanel extends PageElement {
       </div>`;
   }
 
-  #controls(method: MethodDescriptor, document: WhittleDocument) {
-    const editable = editableParameters(method, document.picture);
+  #controls(method: MethodDescriptor, step: Step) {
+    const editable = editableParameters(method, this.page.images.chosen.image !== undefined);
     const plain = editable.filter(({ advanced }) => !advanced);
     const advanced = editable.filter((parameter) => parameter.advanced);
     const control = (parameter: EditableParameter) =>
-      html`<whittle-parameter .parameter=${parameter} .value=${document.parameters[parameter.name]}></whittle-parameter>`;
+      html`<whittle-parameter .parameter=${parameter} .value=${step.parameters[parameter.name]}></whittle-parameter>`;
     return html`
       ${plain.map(control)}
       ${
         advanced.length > 0
           ? html`<details class="more"><summary>More</summary>${advanced.map(control)}
-              <button type="button" class="button small" data-act="reset" title="Reset the style (R)" @click=${() => this.page.workspace.reset()}>${icon('reset')}Reset the style</button>
+              <button type="button" class="button small" data-act="reset" title="Reset the style (R)" @click=${() => void this.page.editor.reset()}>${icon('reset')}Reset the style</button>
             </details>`
           : nothing
       }
     `;
   }
 
-  #home(document: WhittleDocument) {
-    const own = ownFormat(document);
+  /** The way to another step, for what the mesh is made for. */
+  #addition({ mesh }: Project) {
+    const items = offeredMethods()
+      .filter((method) => obstacle(method, mesh) === undefined)
+      .map(({ id, title, summary }) => ({
+        label: title,
+        about: summary,
+        run: () => void this.page.styles.addStep(id),
+      }));
+    return html`<whittle-menu class="add-step" label="Add a step" .face=${html`${icon('add')}<span>Add a step</span>`} .items=${items}></whittle-menu>`;
+  }
+
+  #home(project: Project) {
+    const own = ownFormat(project);
     const others = formats.map((format) => ({
       label: format.label,
-      about: `.${format.extension}`,
+      about: format.ending,
       run: () => void this.page.export(format),
     }));
+    const recipe = {
+      label: 'Recipe',
+      about: 'the steps, for other meshes',
+      run: () => this.page.saveRecipe(),
+    };
     const command = {
       label: 'Copy as a command',
       about: 'npx whittle …',
@@ -111,10 +132,10 @@ export class WhittlePanel extends PageElement {
     };
     return html`
       <div class="home">
-        <button type="button" class="button primary" data-act="export" title="Export ${exportName(document, own)} (E)" @click=${() => void this.page.export()}>
-          ${icon('export')}<span>Export<span class="wide"> ${own.extension.toUpperCase()}</span></span>
+        <button type="button" class="button primary" data-act="export" title="Export ${exportName(project, own.ending)} (E)" @click=${() => void this.page.export()}>
+          ${icon('export')}<span>Export<span class="wide"> ${own.ending.slice(1).toUpperCase()}</span></span>
         </button>
-        <whittle-menu label="Other ways to export" .face=${icon('down')} .items=${[...others, command]}></whittle-menu>
+        <whittle-menu label="Other ways to export" .face=${icon('down')} .items=${[...others, recipe, command]}></whittle-menu>
       </div>
     `;
   }
@@ -125,12 +146,13 @@ export class WhittlePanel extends PageElement {
   };
 
   readonly #change = (event: CustomEvent<ParameterChange>): void => {
-    const { document } = this.state;
-    if (!document) return;
+    const { project } = this.state;
+    const step = project && activeStep(project);
+    if (!step) return;
     const { name, value, phase } = event.detail;
-    const parameters = { ...document.parameters, [name]: value };
-    if (phase === 'preview') this.page.workspace.preview({ parameters });
-    else this.page.workspace.commit({ parameters }, labelOf(document.method, name));
+    const parameters = { ...step.parameters, [name]: value };
+    if (phase === 'preview') this.page.editor.preview({ parameters });
+    else this.page.editor.commit({ parameters }, labelOf(step.method, name));
   };
 }
 

@@ -1,6 +1,8 @@
 import { html, LitElement, nothing } from 'lit';
-import type { ChoiceParameter, FlagParameter, NumberParameter } from '../../src/methods/descriptor.ts';
-import type { EditableParameter } from '../document/offered-methods.ts';
+import type { ChoiceParameter } from '../../src/methods/values/choice.ts';
+import type { FlagParameter } from '../../src/methods/values/flag.ts';
+import type { NumberParameter } from '../../src/methods/values/number.ts';
+import type { EditableParameter } from '../app/offered-methods.ts';
 import { fromTravel, spoken, toTravel, travel } from './slider-scale.ts';
 
 /** Where a gesture is. `preview` comes any number of times, then one `commit`. */

@@ -1,4 +1,4 @@
-import type { NumberParameter } from '../../src/methods/descriptor.ts';
+import type { NumberParameter } from '../../src/methods/values/number.ts';
 
 /** Steps of a slider's travel. */
 export const travel = 200;

@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit';
+import { shownResult } from '../../src/editor/project.ts';
 import { findMethod } from '../../src/methods/registry.ts';
-import type { State } from '../document/store.ts';
+import type { PageState } from '../app/page-state.ts';
 import { PageElement } from './page-element.ts';
 import { sparkline } from './sparkline.ts';
 
@@ -8,27 +9,28 @@ import { sparkline } from './sparkline.ts';
 export class WhittleStatus extends PageElement {
   #spoken = '';
 
-  protected override stateChanged(state: State): void {
+  protected override stateChanged(state: PageState): void {
     const { activity } = state;
     this.dataset.activity = activity.kind;
     this.#spoken = activity.kind === 'solving' ? 'Carving' : sentence(state);
   }
 
   protected override render() {
-    const { activity, document } = this.state;
+    const { activity, project } = this.state;
     const busy = activity.kind !== 'idle';
-    const energy = activity.kind === 'solving' ? activity.energy : (document?.result?.energy ?? []);
+    const energy =
+      activity.kind === 'solving' ? activity.energy : ((project && shownResult(project)?.energy) ?? []);
     return html`
       <span class="pulse" aria-hidden="true"></span>
       <span class="sentence" aria-hidden="true">${sentence(this.state)}</span>
       ${energy.length > 1 ? html`<span title="Energy">${sparkline(energy)}</span>` : nothing}
-      ${busy ? html`<button type="button" class="button small" data-act="cancel" title="Stop and keep what there is (Esc)" @click=${() => this.page.workspace.cancel()}>Cancel</button>` : nothing}
+      ${busy ? html`<button type="button" class="button small" data-act="cancel" title="Stop and keep what there is (Esc)" @click=${() => this.page.editor.cancel()}>Cancel</button>` : nothing}
       <span class="hidden" role="status">${this.#spoken}</span>
     `;
   }
 }
 
-function sentence({ activity, document }: State): string {
+function sentence({ activity, project }: PageState): string {
   switch (activity.kind) {
     case 'opening':
       return `Opening ${activity.name}…`;
@@ -38,16 +40,16 @@ function sentence({ activity, document }: State): string {
       if (!activity.live) return 'Settling…';
       return activity.iteration > 0 ? `Carving… iteration ${activity.iteration}` : 'Carving…';
     default:
-      return rest(document);
+      return rest(project);
   }
 }
 
-function rest(document: State['document']): string {
-  if (!document?.result) return 'As it came';
-  const { result } = document;
+function rest(project: PageState['project']): string {
+  const result = project && shownResult(project);
+  if (!result) return 'As it came';
   const many = `${result.iterations} ${result.iterations === 1 ? 'iteration' : 'iterations'}`;
   if (result.state === 'stopped') return `Stopped after ${many}; this shape is kept`;
-  if (result.outcome === 'iteration-limit' && !endsByCount(document.method))
+  if (result.outcome === 'iteration-limit' && !endsByCount(result.of.method))
     return `Stopped at the limit of ${many}`;
   const seconds = result.milliseconds / 1000;
   return `Carved in ${many}, ${seconds < 10 ? seconds.toFixed(2) : seconds.toFixed(0)} s`;

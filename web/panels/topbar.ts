@@ -1,6 +1,6 @@
 import { html } from 'lit';
-import { samples } from '../document/samples.ts';
-import { nextTheme } from '../tools/theme.ts';
+import { samples } from '../app/samples.ts';
+import { nextTheme } from '../app/theme.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 import './menu.ts';
@@ -30,8 +30,8 @@ export class WhittleTopbar extends PageElement {
         ></whittle-menu>
       </div>
       <div class="group">
-        <button type="button" class="button" data-act="undo" ?disabled=${!past} aria-label=${past ? `Undo ${past.label}` : 'Undo'} title=${past ? `Undo ${past.label}` : 'Nothing to undo'} @click=${() => page.workspace.undo()}>${icon('undo')}</button>
-        <button type="button" class="button" data-act="redo" ?disabled=${!next} aria-label=${next ? `Redo ${next.label}` : 'Redo'} title=${next ? `Redo ${next.label}` : 'Nothing to redo'} @click=${() => page.workspace.redo()}>${icon('redo')}</button>
+        <button type="button" class="button" data-act="undo" ?disabled=${!past} aria-label=${past ? `Undo ${past.label}` : 'Undo'} title=${past ? `Undo ${past.label}` : 'Nothing to undo'} @click=${() => page.editor.undo()}>${icon('undo')}</button>
+        <button type="button" class="button" data-act="redo" ?disabled=${!next} aria-label=${next ? `Redo ${next.label}` : 'Redo'} title=${next ? `Redo ${next.label}` : 'Nothing to redo'} @click=${() => page.editor.redo()}>${icon('redo')}</button>
       </div>
       <div class="group">
         <button type="button" class="button" data-act="theme" aria-label="Colours: ${themeNames[look.theme]}" title="Colours: ${themeNames[look.theme]}" @click=${() => page.look({ theme: nextTheme(look.theme) })}>${icon(look.theme)}</button>

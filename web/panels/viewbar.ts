@@ -1,5 +1,6 @@
 import { html } from 'lit';
-import type { Shading } from '../document/store.ts';
+import { shownResult } from '../../src/editor/project.ts';
+import type { Shading } from '../../src/viewer/viewer.ts';
 import { type IconName, icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 
@@ -12,7 +13,7 @@ const shadings: readonly { value: Shading; icon: IconName; name: string; key: st
 /** How one looks at the mesh. */
 export class WhittleViewbar extends PageElement {
   protected override render() {
-    const { look, document } = this.state;
+    const { look, project } = this.state;
     const { page } = this;
     return html`
       <div class="segments" role="radiogroup" aria-label="Shading">
@@ -25,11 +26,11 @@ export class WhittleViewbar extends PageElement {
         )}
       </div>
       <button
-        type="button" class="button compare" data-act="compare" aria-pressed=${look.comparing} ?disabled=${!document?.result}
+        type="button" class="button compare" data-act="compare" aria-pressed=${look.comparing} ?disabled=${!project || !shownResult(project)}
         title="Hold to see the original (B)" @pointerdown=${this.#hold} @pointerup=${this.#let} @pointercancel=${this.#let} @lostpointercapture=${this.#let} @contextmenu=${(event: Event) => event.preventDefault()} @click=${this.#click}
       >${icon('compare')}<span>Original</span></button>
       <button type="button" class="button" data-act="fit" aria-label="Fit the view" title="Fit the view (F)" @click=${() => page.fit()}>${icon('fit')}</button>
-      <button type="button" class="button" data-act="picture" aria-label="Save a picture" title="Save a picture (P)" @click=${() => void page.saveScreenshot()}>${icon('camera')}</button>
+      <button type="button" class="button" data-act="picture" aria-label="Save a picture" title="Save a picture (P)" @click=${() => void page.saveSnapshot()}>${icon('camera')}</button>
     `;
   }
 

@@ -1,18 +1,5 @@
 import { createHash } from 'node:crypto';
-import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
-
-const flags = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
-
-export function launch(): Promise<Browser> {
-  return chromium.launch({ executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium', args: flags });
-}
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 
 /** A page at rest with the first sample carved. Whatever it throws fails the test that asks for {@link errorsOf}. */
 export async function openPage(
@@ -25,6 +12,8 @@ export async function openPage(
     reducedMotion: 'reduce',
     ...options,
   });
+  // A wait in vain ends with the test's own time.
+  context.setDefaultTimeout(0);
   const page = await context.newPage();
   const errors: string[] = [];
   thrown.set(page, errors);
@@ -41,28 +30,41 @@ export function errorsOf(page: Page): readonly string[] {
   return thrown.get(page) ?? [];
 }
 
-/** So that a test can lose the worker as a crash would. */
+/** A worker that a test can lose as a crash would, and how many frames of solves it has sent. */
+interface KeptWorker extends Worker {
+  frames: number;
+}
+
 function keepWorkers(): void {
-  const scope = globalThis as unknown as { workers: Worker[]; Worker: typeof Worker };
+  const scope = globalThis as unknown as { workers: KeptWorker[]; Worker: typeof Worker };
   scope.workers = [];
-  scope.Worker = class extends Worker {
+  scope.Worker = class extends Worker implements KeptWorker {
+    frames = 0;
+
     constructor(...options: ConstructorParameters<typeof Worker>) {
       super(...options);
       scope.workers.push(this);
+      this.addEventListener('message', ({ data }) => {
+        if (data.type === 'frame') this.frames++;
+      });
     }
   };
 }
 
 export function killWorker(page: Page): Promise<void> {
   return page.evaluate(() => {
-    const worker = (globalThis as unknown as { workers: Worker[] }).workers.at(-1)!;
+    const worker = (globalThis as unknown as { workers: KeptWorker[] }).workers.at(-1)!;
     worker.terminate();
     worker.dispatchEvent(new ErrorEvent('error', { message: 'killed by a test' }));
   });
 }
 
-export function workersStarted(page: Page): Promise<number> {
-  return page.evaluate(() => (globalThis as unknown as { workers: Worker[] }).workers.length);
+/** Waits until as many workers have been started and the last of them is solving. */
+export async function solvingInWorker(page: Page, count: number): Promise<void> {
+  await page.waitForFunction((count) => {
+    const { workers } = globalThis as unknown as { workers: KeptWorker[] };
+    return workers.length === count && workers.at(-1)!.frames > 0;
+  }, count);
 }
 
 export function status(page: Page): Promise<string> {
@@ -79,6 +81,12 @@ export async function carved(page: Page): Promise<void> {
   });
 }
 
+/** Waits for the last entry for undo to be the named one, and for its shape: a control may show a choice before it is acted on. */
+export async function entered(page: Page, name: string): Promise<void> {
+  await page.waitForSelector(`[data-act=undo][aria-label="Undo ${name}"]`);
+  await carved(page);
+}
+
 export async function solving(page: Page): Promise<void> {
   await page.waitForFunction(() =>
     /iteration [1-9]/.test(document.querySelector('whittle-status .sentence')?.textContent ?? ''),
@@ -87,29 +95,42 @@ export async function solving(page: Page): Promise<void> {
 
 /** A fingerprint of the part of the canvas that nothing covers, once it is at rest and sharp. */
 export async function picture(page: Page): Promise<string> {
-  await page.waitForTimeout(400);
+  await drawn(page);
   await page.waitForFunction(() => {
     const canvas = document.querySelector('canvas');
     return canvas?.width === Math.floor((canvas?.clientWidth ?? 0) * devicePixelRatio);
   });
-  const shot = await page.screenshot({ clip: { x: 20, y: 90, width: 800, height: 620 } });
-  return createHash('sha256').update(shot).digest('hex');
+  for (let before = ''; ; ) {
+    await drawn(page);
+    const shot = await page.screenshot({ clip: { x: 20, y: 90, width: 800, height: 620 } });
+    const now = createHash('sha256').update(shot).digest('hex');
+    if (now === before) return now;
+    before = now;
+  }
+}
+
+/** Waits until what the page has asked to draw is on the screen. */
+function drawn(page: Page): Promise<void> {
+  return page.evaluate(async () => {
+    for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+  });
 }
 
 export function lambda(page: Page): Promise<number> {
   return page.locator('.slider .number').inputValue().then(Number);
 }
 
-/** A solve that does not end by itself, followed live from a key press on the slider. */
+/**
+ * Begins a solve that does not end by itself and is followed live. PolyCube starts each iteration anew from what the last one
+ * left: no tolerance ends it, and its shape does not come to rest within any number of iterations that a test could wait for.
+ */
 export async function solveForever(page: Page): Promise<void> {
+  await page.locator('.switch').getByText('PolyCube', { exact: true }).click();
   await page.locator('.more summary').click();
-  await setField(page, 'Iterations at most', '1000000');
-  await carved(page);
-  await setField(page, 'Tolerance', '0');
-}
-
-async function setField(page: Page, label: string, value: string): Promise<void> {
-  const field = page.getByLabel(label);
-  await field.fill(value);
-  await field.press('Enter');
+  const iterations = page.getByLabel('Iterations', { exact: true });
+  await iterations.fill('1000000');
+  await iterations.press('Enter');
+  await page.locator('input[type=range]').focus();
+  await page.keyboard.down('ArrowRight');
+  await solving(page);
 }

@@ -1,6 +1,7 @@
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect } from 'vitest';
-import { errorsOf, launch, openPage } from './browser.ts';
+import { errorsOf, openPage } from './browser.ts';
+import { launch } from './launch.ts';
 import { type PageServer, servePage } from './page-server.ts';
 
 export interface PageFactory {

@@ -1,0 +1,379 @@
+import type { Engine } from '../engine/client.ts';
+import type { Format } from '../io/index.ts';
+import { toFailure } from '../mesh/failure.ts';
+import { findMethod, methods } from '../methods/registry.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
+import { type Recipe, type RecipeStep, Resolver, type Surroundings } from '../recipe/index.ts';
+import { record, redo, undo } from './history.ts';
+import { LiveSolver } from './live-solver.ts';
+import { type OpenedFile, openFile, type ReadFile } from './open-file.ts';
+import type { Presenter } from './presenter.ts';
+import {
+  type Assets,
+  activeStep,
+  firstUnsettled,
+  inputsOf,
+  type Project,
+  type StepInputs,
+  sameInputs,
+  shownPositions,
+} from './project.ts';
+import { recipeOf } from './saved-recipe.ts';
+import { startingStep, styleParameter } from './starting-step.ts';
+import { type EditorStore, idle } from './state.ts';
+import {
+  activateStep,
+  addStep,
+  changeActive,
+  moveStep,
+  newStep,
+  removeStep,
+  type StepChange,
+  switchStep,
+} from './steps.ts';
+import { patiently, reportFailure, Tasks } from './task.ts';
+
+/** What a mesh opens with. */
+export interface Beginning {
+  /** Default: the style that the mesh before it had, or else the first method. */
+  readonly method?: string;
+  /** Values that are not to be those that suit the mesh. */
+  readonly parameters?: ParameterValues;
+  /** A whole stack, in place of one step of {@link method}. */
+  readonly recipe?: Recipe;
+  /** What the steps name. */
+  readonly assets?: Assets;
+}
+
+export interface EditorParts {
+  readonly store: EditorStore;
+  readonly engine: Engine;
+  readonly presenter: Presenter;
+  /** Where names lead that the project's own assets do not know. */
+  readonly surroundings?: Surroundings;
+}
+
+/** What a person does to a mesh: open, shape in a stack of steps, settle, cancel, undo, take home. Knows no page. */
+export class Editor {
+  readonly store: EditorStore;
+  readonly resolver: Resolver;
+  readonly #engine: Engine;
+  readonly #tasks = new Tasks();
+  readonly #presenter: Presenter;
+  readonly #solver: LiveSolver;
+  /** The project as it was when the gesture that is under way began. */
+  #gestureFrom: Project | null = null;
+  /** The settings whose run a person stopped: that shape is kept and not settled after all when the gesture ends. */
+  #stoppedAt: StepInputs | null = null;
+  #latestChoice = 0;
+
+  constructor({ store, engine, presenter, surroundings = {} }: EditorParts) {
+    const asset = (name: string) => this.project?.assets.get(name) ?? surroundings.asset?.(name);
+    this.store = store;
+    this.resolver = new Resolver(engine, { ...surroundings, asset });
+    this.#engine = engine;
+    this.#presenter = presenter;
+    const { resolver } = this;
+    this.#solver = new LiveSolver({ store, engine, resolver, tasks: this.#tasks, presenter });
+  }
+
+  get project(): Project | null {
+    return this.store.state.project;
+  }
+
+  /** Opens a file and runs its stack. The mesh that was there stays until the new one is known to be good. */
+  open(bytes: Uint8Array<ArrayBuffer>, name: string, begin: Beginning = {}): Promise<void> {
+    const read = async (signal: AbortSignal) => ({
+      bytes,
+      name,
+      ...(await this.#engine.read(bytes, name, { signal })),
+    });
+    return this.#open(name, read, begin);
+  }
+
+  /** The same for a file that was read already. */
+  openRead(file: ReadFile, begin: Beginning = {}): Promise<void> {
+    return this.#open(file.name, async () => file, begin);
+  }
+
+  async #open(
+    name: string,
+    read: (signal: AbortSignal) => Promise<ReadFile>,
+    begin: Beginning,
+  ): Promise<void> {
+    this.#tasks.cancel();
+    const task = this.#tasks.begin();
+    this.#gestureFrom = null;
+    this.store.set({ activity: { kind: 'opening', name }, notice: null });
+    try {
+      const file = await patiently(task, async () =>
+        openFile(this.#engine, await read(task.signal), task.signal),
+      );
+      const project = await this.#begin(file, begin);
+      if (!task.current()) return;
+      this.#enter(project, file.warnings);
+    } catch (thrown) {
+      reportFailure(this.store, task, thrown, () => void this.#open(name, read, begin));
+      return;
+    }
+    await this.#solver.settle(true);
+  }
+
+  /** Follows a gesture: shows what these settings of the active step give, from where the shape is now. */
+  preview(change: StepChange): void {
+    const { project } = this;
+    if (!project) return;
+    this.#gestureFrom ??= project;
+    this.#stoppedAt = null;
+    const next = changeActive(project, change);
+    this.store.set({ project: next, notice: null });
+    this.#presenter.adopt(next);
+    void this.#solver.follow();
+  }
+
+  /** Ends a gesture: notes it for undo and settles it. */
+  commit(change: StepChange, label: string): void {
+    const { project } = this;
+    if (!project) return;
+    const before = this.#gestureFrom ?? project;
+    this.#gestureFrom = null;
+    const wanted = changeActive(project, change);
+    if (sameActive(before, wanted)) {
+      if (before !== project) this.#goTo(before);
+      return;
+    }
+    const keep = this.#stoppedAt !== null && sameInputs(this.#stoppedAt, activeInputs(wanted));
+    this.#stoppedAt = null;
+    const after = keep ? project : wanted;
+    this.store.set({
+      project: after,
+      history: record(this.store.state.history, { label, before, after }),
+      notice: null,
+    });
+    if (keep) return;
+    this.#presenter.adopt(after);
+    void this.#solver.settle(false);
+  }
+
+  /** Solves the active step anew with other settings and shows how; one entry for undo. */
+  restyle(change: StepChange, label: string): void {
+    if (this.project) this.#change(changeActive(this.project, change), label);
+  }
+
+  /**
+   * Gives the active step another method: with the values that it had here before, or with those that suit the mesh.
+   *
+   * @param given values that are to be these
+   * @param label what undo calls it; default the method's title
+   */
+  async chooseMethod(id: string, given: ParameterValues = {}, label = findMethod(id)?.title): Promise<void> {
+    const step = this.project && activeStep(this.project);
+    if (!step || label === undefined || step.method === id) return;
+    const remembered = step.remembered[id];
+    if (remembered) return this.restyle({ method: id, parameters: { ...remembered, ...given } }, label);
+    await this.#afterReading({ method: id, given }, (starting) => this.restyle(starting, label));
+  }
+
+  /** Puts a step with this method after the active one. @param given values that are to be these */
+  async addStep(id: string, given: ParameterValues = {}): Promise<void> {
+    const title = findMethod(id)?.title;
+    if (!title) return;
+    await this.#afterReading({ method: id, given }, (starting) =>
+      this.#change(addStep(this.project!, newStep(starting)), `Add ${title}`),
+    );
+  }
+
+  removeStep(id: number): void {
+    if (this.project) this.#change(removeStep(this.project, id), 'Remove a step');
+  }
+
+  /** @param to place in the stack, from 0 */
+  moveStep(id: number, to: number): void {
+    if (this.project) this.#change(moveStep(this.project, id, to), 'Move a step');
+  }
+
+  switchStep(id: number, isOn: boolean): void {
+    if (this.project)
+      this.#change(switchStep(this.project, id, isOn), isOn ? 'Switch a step on' : 'Switch a step off');
+  }
+
+  /** Makes a step the one that is edited. No entry for undo: nothing of the shape changes. */
+  activate(id: number): void {
+    const { project } = this;
+    const next = project && activateStep(project, id);
+    if (next && next !== project) this.#replace(project, next);
+  }
+
+  /** Brings the active step back to the values that suit the mesh. */
+  async reset(): Promise<void> {
+    const step = this.project && activeStep(this.project);
+    if (!step) return;
+    const parameter = styleParameter(findMethod(step.method));
+    const style = parameter ? step.parameters[parameter.name] : undefined;
+    const given: ParameterValues = parameter && style !== undefined ? { [parameter.name]: style } : {};
+    await this.#afterReading({ method: step.method, given }, ({ parameters }) =>
+      this.commit({ parameters }, 'Reset'),
+    );
+  }
+
+  /** Stops what is running; the shape on the screen stays. */
+  cancel(): boolean {
+    if (this.store.state.activity.kind === 'idle') return false;
+    if (this.#gestureFrom && this.project) this.#stoppedAt = activeInputs(this.project);
+    this.#tasks.cancel();
+    return true;
+  }
+
+  undo(): boolean {
+    return this.#travel(undo(this.store.state.history), 'before');
+  }
+
+  redo(): boolean {
+    return this.#travel(redo(this.store.state.history), 'after');
+  }
+
+  /** The steps that are on, as a recipe. */
+  recipe(): Recipe | null {
+    return this.project && recipeOf(this.project);
+  }
+
+  /** The file in a format with the settled shape. Null if it could not be written; a notice says why. */
+  async write(format: Format): Promise<{ bytes: Uint8Array<ArrayBuffer>; project: Project } | null> {
+    await this.#solver.settling;
+    if (this.project && firstUnsettled(this.project)) await this.#solver.settle(false);
+    const { project } = this;
+    if (!project || firstUnsettled(project)) return null;
+    const { source } = project;
+    const task = this.#tasks.begin();
+    this.store.set({ activity: { kind: 'writing', name: source.name }, notice: null });
+    try {
+      const positions = shownPositions(project);
+      const bytes = await patiently(task, () =>
+        this.#engine.write(source.bytes, source.name, format, positions, { signal: task.signal }),
+      );
+      if (task.current()) this.store.set({ activity: idle });
+      return { bytes, project };
+    } catch (thrown) {
+      reportFailure(this.store, task, thrown, () => void this.write(format));
+      return null;
+    }
+  }
+
+  async #begin(file: OpenedFile, begin: Beginning): Promise<Project> {
+    const last = begin.method || begin.recipe ? null : carriedOver(this.project);
+    const assets: Assets = begin.assets ?? last?.assets ?? new Map();
+    const method = findMethod(begin.method ?? last?.method ?? '') ?? methods[0]!;
+    const given = { ...last?.parameters, ...begin.parameters };
+    const recipe = begin.recipe ?? { steps: [await startingStep(method, given, file, this.resolver)] };
+    const steps = recipe.steps.map(newStep);
+    const { source, mesh, report } = file;
+    return { source, mesh, report, steps, active: steps.at(-1)!.id, assets };
+  }
+
+  #enter(project: Project, warnings: readonly string[]): void {
+    const before = this.project;
+    const label = `Open ${project.source.name}`;
+    const { history } = this.store.state;
+    this.store.set({
+      project,
+      history: before ? record(history, { label, before, after: project }) : history,
+      ...(warnings.length > 0 ? { notice: { tone: 'note', text: warnings.join(' ') } } : {}),
+    });
+    if (before) this.#releaseUnless(before);
+    this.#presenter.present(project);
+  }
+
+  /** Reads what a step borrows and goes on with it, unless something else was chosen meanwhile. */
+  async #afterReading(
+    { method: id, given }: { method: string; given: ParameterValues },
+    go: (starting: RecipeStep) => void,
+  ): Promise<void> {
+    const turn = ++this.#latestChoice;
+    const { project } = this;
+    const method = findMethod(id);
+    if (!project || !method) return;
+    try {
+      const starting = await startingStep(method, given, project, this.resolver);
+      if (turn === this.#latestChoice && this.project?.mesh === project.mesh) go(starting);
+    } catch (thrown) {
+      this.store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
+    }
+  }
+
+  /** One finished change of the stack; what it made stale is solved, and shown as it comes. */
+  #change(after: Project, label: string): void {
+    const before = this.project;
+    if (!before || after === before) return;
+    this.#latestChoice++;
+    this.#gestureFrom = this.#stoppedAt = null;
+    this.store.set({
+      project: after,
+      history: record(this.store.state.history, { label, before, after }),
+      notice: null,
+    });
+    this.#presenter.present(after);
+    void this.#solver.settle(true);
+  }
+
+  #replace(before: Project, next: Project): void {
+    const { history } = this.store.state;
+    const replace = ({ label, before: b, after: a }: (typeof history.past)[number]) => ({
+      label,
+      before: b === before ? next : b,
+      after: a === before ? next : a,
+    });
+    this.store.set({
+      project: next,
+      history: { past: history.past.map(replace), future: history.future.map(replace) },
+    });
+    this.#presenter.adopt(next);
+  }
+
+  #travel(step: ReturnType<typeof undo>, to: 'before' | 'after'): boolean {
+    if (!step) return false;
+    this.#gestureFrom = null;
+    this.store.set({ history: step.history });
+    this.#goTo(step.entry[to]);
+    return true;
+  }
+
+  #goTo(project: Project): void {
+    this.#tasks.abandon();
+    const before = this.project;
+    this.store.set({ project, activity: idle, notice: null });
+    if (before) this.#releaseUnless(before);
+    this.#presenter.present(project);
+  }
+
+  /** The worker need not keep what is not on the screen: it is sent again if it comes back. */
+  #releaseUnless(before: Project): void {
+    if (this.project?.mesh !== before.mesh) this.#engine.release(before.mesh);
+  }
+}
+
+/** The inputs of the active step, as if nothing stood before it. */
+function activeInputs(project: Project): StepInputs {
+  return inputsOf(activeStep(project), project.mesh.positions, project.assets);
+}
+
+function sameActive(a: Project, b: Project): boolean {
+  return (
+    a.mesh === b.mesh &&
+    activeStep(a).isOn === activeStep(b).isOn &&
+    sameInputs(activeInputs(a), activeInputs(b))
+  );
+}
+
+/** A style is put on the next mesh too; other methods may not suit it. */
+function carriedOver(project: Project | null): (RecipeStep & { assets: Assets }) | null {
+  const step = project && activeStep(project);
+  const parameter = step && styleParameter(findMethod(step.method));
+  const style = parameter && step.parameters[parameter.name];
+  if (!parameter || typeof style !== 'string') return null;
+  const asset = project.assets.get(style);
+  return {
+    method: step.method,
+    parameters: { [parameter.name]: style },
+    assets: asset ? new Map([[style, asset]]) : new Map(),
+  };
+}

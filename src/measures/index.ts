@@ -1,0 +1,35 @@
+import { angleAfter, angleBefore } from './angle.ts';
+import { curvatureAfter, curvatureBefore } from './curvature.ts';
+import { growth } from './growth.ts';
+import type { Measure, Measured, Overlay, OverlayName } from './measure.ts';
+import { movement } from './movement.ts';
+import { strength } from './strength.ts';
+
+export type { Measure, Measured, NormalTargets, Overlay, OverlayName } from './measure.ts';
+
+/** All ways to look closer, in the order in which the page offers them. */
+const measures: readonly Measure[] = [
+  angleBefore,
+  angleAfter,
+  curvatureBefore,
+  curvatureAfter,
+  movement,
+  growth,
+  strength,
+];
+
+/** Those that make sense of a measured. */
+export function measuresFor(measured: Measured): readonly Measure[] {
+  return measures.filter(({ suits }) => suits(measured));
+}
+
+/**
+ * Measures a measured; null where there is nothing to measure (no result yet, no style).
+ *
+ * @param comparing the file's own shape is on the screen: what has a measure of it is that one
+ */
+export function measure(measured: Measured, name: OverlayName, comparing = false): Overlay | null {
+  const chosen = measures.find((one) => one.name === name);
+  const wanted = comparing && chosen?.before ? measures.find((one) => one.name === chosen.before) : chosen;
+  return wanted?.suits(measured) ? wanted.of(measured) : null;
+}

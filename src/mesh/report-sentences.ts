@@ -1,0 +1,48 @@
+import type { MeshReport } from './mesh.ts';
+
+const count = new Intl.NumberFormat('en');
+
+/** Sentences about what is odd in a mesh and what the solver does with it. Holes and several parts are not odd. */
+export function oddities(report: MeshReport): string[] {
+  const { isolatedVertices, degenerateFaces, duplicateFaces, nonManifoldEdges } = report;
+  const sentences: string[] = [];
+  const say = (number: number, one: string, many: string): void => {
+    if (number > 0) sentences.push(number === 1 ? `1 ${one}` : `${count.format(number)} ${many}`);
+  };
+  say(
+    isolatedVertices,
+    'vertex belongs to no face and stays where it is.',
+    'vertices belong to no face and stay where they are.',
+  );
+  say(
+    degenerateFaces,
+    'face has no area; it is kept, with its stiffness limited.',
+    'faces have no area; they are kept, with their stiffness limited.',
+  );
+  say(
+    duplicateFaces,
+    'face repeats another; that place counts twice.',
+    'faces repeat others; those places count twice.',
+  );
+  say(
+    nonManifoldEdges,
+    'edge joins three faces or more; they bend together.',
+    'edges join three faces or more; those faces bend together.',
+  );
+  return sentences;
+}
+
+/** The {@link oddities} and whatever else a person may wonder about; none for a plain closed mesh. */
+export function remarks(report: MeshReport, hasUvs: boolean): string[] {
+  const { components, boundaryEdges } = report;
+  const sentences: string[] = [];
+  if (components > 1)
+    sentences.push(`It has ${count.format(components)} separate parts; each is shaped on its own.`);
+  if (boundaryEdges > 0)
+    sentences.push(
+      `${count.format(boundaryEdges)} boundary edges: the surface is open somewhere. That is fine.`,
+    );
+  sentences.push(...oddities(report));
+  if (hasUvs) sentences.push('Its texture coordinates go home unchanged.');
+  return sentences;
+}

@@ -1,0 +1,78 @@
+import type { MethodDescriptor } from './descriptor.ts';
+import { lambdaPerVertex, shared } from './shared-parameters.ts';
+import { startingLambda } from './starting-lambda.ts';
+
+export const cubic: MethodDescriptor = {
+  id: 'cubic',
+  title: 'Cubic',
+  summary: 'Carve the mesh into the style of a cube while its details stay.',
+  paper: 'Cubic Stylization, Liu and Jacobson 2019',
+  shading: 'smooth',
+  // Its solid has a Gauss map, though the method carves without one.
+  targets: () => ({ style: 'polyhedron', lookedUpFrom: 'output' }),
+  startingValues: ({ report }) => ({ lambda: startingLambda(report.vertices) }),
+  parameters: [
+    {
+      name: 'lambda',
+      kind: 'number',
+      label: 'Cubeness',
+      doc: 'λ of Eq. 1: how strongly normals are drawn to the axes. Finer meshes need less for the same look.',
+      invalidates: 'weights',
+      default: 0.2,
+      min: 0,
+      max: 100,
+      unit: '',
+      slider: { min: 0, max: 2, step: 0.01 },
+    },
+    lambdaPerVertex,
+    {
+      name: 'lambdaAxes',
+      kind: 'vector',
+      label: 'Axes',
+      doc: 'What λ is taken times for each axis of the cube: the style is then a box of such edges (2019, §4). 0 leaves an axis out.',
+      invalidates: 'weights',
+      advanced: true,
+      default: [1, 1, 1],
+      min: 0,
+      max: 100,
+    },
+    {
+      name: 'polyhedron',
+      kind: 'choice',
+      label: 'Polyhedron',
+      doc: 'Whose faces the normals are drawn to: a cube’s, those of another centrally symmetric polyhedron, or of a matrix B of your own (2019, §4), whose rows are the polyhedron’s edges.',
+      invalidates: 'weights',
+      default: 'cube',
+      choices: ['cube', 'hexagonal-prism', 'rhombic-dodecahedron', 'truncated-octahedron'],
+      maxRows: 12,
+    },
+    {
+      name: 'orientation',
+      kind: 'rotation',
+      label: 'Orientation',
+      doc: 'How the cube or polyhedron is turned against the file’s axes, as a quaternion x, y, z, w of any length.',
+      invalidates: 'weights',
+      advanced: true,
+      default: [0, 0, 0, 1],
+    },
+    {
+      name: 'frames',
+      kind: 'rotations',
+      label: 'Frames',
+      doc: 'Regions of the mesh with an orientation of their own (2019, §4, local coordinate frames); vertices of none have “orientation”.',
+      invalidates: 'weights',
+      advanced: true,
+    },
+    {
+      name: 'localStep',
+      kind: 'choice',
+      label: 'Local step',
+      doc: 'How each vertex finds its rotation: exactly by Newton’s method, or by the printed ADMM (2019, §3.1).',
+      invalidates: 'weights',
+      advanced: true,
+      default: 'exact',
+      choices: ['exact', 'admm'],
+    },
+    ...shared,
+  ],
+};

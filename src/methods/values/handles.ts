@@ -1,0 +1,79 @@
+import { WhittleError } from '../../mesh/failure.ts';
+import type { Parameter, ValueKind } from './parameter.ts';
+import { isPoint, verticesProblem } from './points.ts';
+import { show } from './show.ts';
+
+/** Vertices (indices of the source file's position list) and where they are to go, in the file's own units. */
+export interface Handles {
+  readonly vertices: readonly number[];
+  readonly targets: readonly (readonly [number, number, number])[];
+}
+
+type Point = Handles['targets'][number];
+
+/** Vertices held at given places: {@link Handles}. Absent means none. */
+export interface HandlesParameter extends Parameter {
+  readonly kind: 'handles';
+}
+
+export const handles: ValueKind<HandlesParameter, Handles> = {
+  code: 'bad-handles',
+  problem(_, value) {
+    const shape = 'must be {"vertices": [index, …], "targets": [[x, y, z], …]}';
+    if (typeof value !== 'object' || value === null || Array.isArray(value))
+      return `${shape}, not ${show(value)}.`;
+    const { vertices, targets, ...rest } = value as { vertices?: unknown; targets?: unknown };
+    if (!Array.isArray(vertices) || !Array.isArray(targets)) return `${shape}; both lists are needed.`;
+    const [stranger] = Object.keys(rest);
+    if (stranger !== undefined) return `${shape}; it has an entry “${stranger}” too many.`;
+    if (vertices.length !== targets.length) {
+      return `must have as many targets as vertices; there are ${vertices.length} vertices and ${targets.length} targets.`;
+    }
+    const badVertices = verticesProblem(vertices);
+    if (badVertices !== undefined) return badVertices;
+    const bad = targets.findIndex((target) => !isPoint(target));
+    if (bad < 0) return undefined;
+    return `must have targets [x, y, z] of finite numbers; entry ${bad} is ${show(targets[bad])}.`;
+  },
+  /** Handles that say the same of the same place become one; positions that the file stores twice can only move together. */
+  encode({ name }, { vertices, targets }, { vertexOfPosition }) {
+    const handles = new Map<number, { source: number; target: Point }>();
+    const count = vertexOfPosition.length;
+    vertices.forEach((source, entry) => {
+      const vertex = vertexOfPosition[source];
+      if (vertex === undefined) {
+        throw new WhittleError(
+          'bad-handles',
+          `“${name}” names vertex ${source}, but the file has ${count} vertices (0 to ${count - 1}).`,
+          source,
+        );
+      }
+      const target = targets[entry]!;
+      const earlier = handles.get(vertex);
+      if (!earlier) handles.set(vertex, { source, target });
+      else if (!samePoint(earlier.target, target)) throw twoTargets(name, earlier.source, source);
+    });
+    return {
+      name: '',
+      numbers: Float64Array.from([...handles.values()].flatMap(({ target }) => target)),
+      indices: Uint32Array.from(handles.keys()),
+    };
+  },
+  help: () => ({
+    value: 'FILE.json',
+    range: '{"vertices": [0, …], "targets": [[x, y, z], …]}, default none',
+  }),
+};
+
+function twoTargets(name: string, first: number, second: number): WhittleError {
+  const message =
+    first === second
+      ? `“${name}” gives vertex ${second} two different targets; keep one.`
+      : `“${name}” gives vertices ${first} and ${second} different targets, but they are the same point of the surface ` +
+        '(the file stores it twice, along a seam); give both the same target or keep one.';
+  return new WhittleError('bad-handles', message, second);
+}
+
+function samePoint(a: Point, b: Point): boolean {
+  return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+}

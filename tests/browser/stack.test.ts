@@ -1,0 +1,109 @@
+import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { runCommandLine } from '../../src/cli/command-line.ts';
+import { violations } from './support/axe.ts';
+import { carved, picture } from './support/browser.ts';
+import { usePage } from './support/use-page.ts';
+
+const pages = usePage();
+let page: Page;
+
+const rows = () => page.locator('.stack .step-name').allInnerTexts();
+const undo = () => page.locator('[data-act=undo]');
+
+/** Waits until a change of the stack has begun to be solved, or needs no solving, and has ended. */
+async function settled(steps: number): Promise<void> {
+  await page.waitForFunction(
+    (count) => document.querySelectorAll('.stack li').length === count || count < 2,
+    steps,
+  );
+  await carved(page);
+}
+
+async function add(method: string, steps: number): Promise<void> {
+  await page.getByRole('button', { name: 'Add a step' }).click();
+  await page.getByRole('menuitem', { name: new RegExp(`^${method}`) }).click();
+  await settled(steps);
+}
+
+async function saved(label: string, folder: string): Promise<string> {
+  await page.getByRole('button', { name: 'Other ways to export' }).click();
+  const item = page.getByRole('menuitem', { name: new RegExp(`^${label}`) });
+  const [download] = await Promise.all([page.waitForEvent('download'), item.click()]);
+  const path = join(folder, download.suggestedFilename());
+  await download.saveAs(path);
+  return path;
+}
+
+it('is built, switched, reordered, undone, and saved as a recipe that gives the same bytes without the page', async () => {
+  page = await pages.open();
+  const single = await picture(page);
+  await add('Style', 2);
+  await add('Developable', 3);
+  expect(await rows()).toEqual(['1Cubic', '2Style: octahedron', '3Developable']);
+  const whole = await picture(page);
+
+  await page.getByLabel('Style: octahedron is on').uncheck();
+  await settled(3);
+  const without = await picture(page);
+  expect(without).not.toBe(whole);
+  await page.locator('[data-step="3"] .step-name').click();
+  await page.locator('[data-act=step-up]').click();
+  await settled(3);
+  await page.locator('[data-act=step-up]').click();
+  await settled(3);
+  expect(await rows()).toEqual(['1Developable', '2Cubic', '3Style: octahedron']);
+  expect(await picture(page)).not.toBe(without);
+
+  const folder = await mkdtemp(join(tmpdir(), 'whittle-stack-'));
+  try {
+    const recipe = await saved('Recipe', folder);
+    const exported = await saved('glTF binary', folder);
+    expect(JSON.parse(await readFile(recipe, 'utf8')).steps).toHaveLength(2);
+    const out = join(folder, 'headless.glb');
+    const quiet = { write: () => true };
+    const code = await runCommandLine(['run', recipe, 'public/samples/rabbit.glb', '--out', out], {
+      stdout: quiet,
+      stderr: quiet,
+      signal: new AbortController().signal,
+    });
+    expect(code).toBe(0);
+    expect((await readFile(out)).equals(await readFile(exported))).toBe(true);
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+
+  while (await undo().isEnabled()) await undo().click();
+  await carved(page);
+  expect(await page.locator('.stack').count()).toBe(0);
+  expect(await picture(page)).toBe(single);
+});
+
+it('goes back into a step, edits it alone and shows the whole again', async () => {
+  page = await pages.open();
+  await add('Developable', 2);
+  const before = await picture(page);
+  await page.locator('[data-step="1"] .step-name').click();
+  expect(await page.locator('#parameter-lambda').count()).toBe(1);
+  await page.locator('#parameter-lambda').focus();
+  await page.keyboard.press('End');
+  await settled(2);
+  await page.waitForFunction(() =>
+    /150 iterations/.test(document.querySelector('.sentence')?.textContent ?? ''),
+  );
+  expect(await picture(page)).not.toBe(before);
+});
+
+it.each([
+  ['in dark', { colorScheme: 'dark' }],
+  ['on a phone', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }],
+] as const)('passes axe %s', async (_, options) => {
+  page = await pages.open(options);
+  await add('PolyCube', 2);
+  expect(await violations(page)).toEqual([]);
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+});

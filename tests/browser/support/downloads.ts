@@ -1,0 +1,35 @@
+import { readdirSync, readFileSync, rmSync, statSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { until } from '../../fixtures/until.ts';
+import { browserName, downloadsFolder } from './launch.ts';
+
+export interface SavedFile {
+  readonly name: string;
+  readonly bytes: Buffer;
+}
+
+/** Does something on a page and waits for the one file that the browser saves then. */
+export async function saved(page: Page, act: () => Promise<unknown>): Promise<SavedFile> {
+  if (browserName === 'firefox') return savedToFolder(act);
+  const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+  return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+}
+
+/** Firefox tells over BiDi that it saves something, but not under which id, and Playwright then says nothing: the folder does. */
+async function savedToFolder(act: () => Promise<unknown>): Promise<SavedFile> {
+  await act();
+  let finished: string | undefined;
+  await until(() => {
+    const names = readdirSync(downloadsFolder);
+    // What is under way is an empty file with its name and another that ends in `.part`.
+    const [name] = names;
+    if (names.length === 1 && statSync(join(downloadsFolder, name!)).size > 0) finished = name;
+    return finished !== undefined;
+  });
+  const path = join(downloadsFolder, finished!);
+  const bytes = readFileSync(path);
+  rmSync(path);
+  return { name: finished!, bytes };
+}

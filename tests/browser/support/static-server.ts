@@ -1,0 +1,69 @@
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const root = (path: string) => fileURLToPath(new URL(`../../../${path}`, import.meta.url));
+
+const types: Readonly<Record<string, string>> = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.wasm': 'application/wasm',
+  '.svg': 'image/svg+xml',
+};
+
+/** Builds the element as it is shipped. @returns the folder of its three files */
+export async function buildElement(): Promise<string> {
+  const outDir = root('tests/out/element');
+  for (const mode of ['element', 'worker']) {
+    const options = { outDir, emptyOutDir: mode === 'element' };
+    await build({ configFile: root('vite.config.ts'), mode, logLevel: 'error', build: options });
+  }
+  return outDir;
+}
+
+export interface StaticServer {
+  readonly url: string;
+  /** Paths that were asked for. */
+  readonly asked: string[];
+  close(): Promise<void>;
+}
+
+/**
+ * Serves plain files as any web server does: no cross-origin isolation, other origins may read.
+ *
+ * @param folders by the first part of the path
+ * @param pages texts by their path
+ * @param csp of the pages, if any
+ */
+export async function serveStatic(
+  folders: Readonly<Record<string, string>>,
+  pages: Readonly<Record<string, string>> = {},
+  csp?: string,
+): Promise<StaticServer> {
+  const asked: string[] = [];
+  const server = createServer(async (request, response) => {
+    const path = normalize(decodeURIComponent(new URL(request.url!, 'http://localhost').pathname));
+    asked.push(path);
+    response.setHeader('access-control-allow-origin', '*');
+    if (csp) response.setHeader('content-security-policy', csp);
+    const [, folder = '', ...rest] = path.split('/');
+    try {
+      const body = pages[path] ?? (await readFile(join(folders[folder]!, ...rest)));
+      response.setHeader('content-type', types[path in pages ? '.html' : extname(path)] ?? 'model/mesh');
+      response.end(body);
+    } catch {
+      response.statusCode = 404;
+      response.end('nothing here');
+    }
+  });
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address() as AddressInfo;
+  return {
+    url: `http://127.0.0.1:${port}`,
+    asked,
+    close: () => new Promise((resolve) => server.close(() => resolve())),
+  };
+}

@@ -1,0 +1,32 @@
+import { expect, test } from 'vitest';
+import type { MeshReport } from '../../src/mesh/mesh.ts';
+import { oddities } from '../../src/mesh/report-sentences.ts';
+
+const sound: MeshReport = {
+  vertices: 8,
+  faces: 12,
+  components: 2,
+  boundaryEdges: 4,
+  nonManifoldEdges: 0,
+  degenerateFaces: 0,
+  duplicateFaces: 0,
+  isolatedVertices: 0,
+  min: [0, 0, 0],
+  max: [1, 1, 1],
+};
+
+test('holes and several parts are no cause for a warning', () => {
+  expect(oddities(sound)).toEqual([]);
+});
+
+test.each([
+  [{ isolatedVertices: 1 }, '1 vertex belongs to no face'],
+  [{ isolatedVertices: 3 }, '3 vertices belong to no face'],
+  [{ degenerateFaces: 2 }, '2 faces have no area'],
+  [{ duplicateFaces: 1 }, '1 face repeats another'],
+  [{ nonManifoldEdges: 5 }, '5 edges join three faces or more'],
+])('%o is told in one sentence', (odd, beginning) => {
+  const [sentence, ...others] = oddities({ ...sound, ...odd });
+  expect(sentence).toMatch(new RegExp(`^${beginning}.*\\.$`));
+  expect(others).toEqual([]);
+});

@@ -1,0 +1,36 @@
+/** A command line without its `--out`, and the ending of the file that it is to write. */
+export type Command = readonly [line: string, ending: string];
+
+/** Every method with what it can be told, every format in and out; the files are those of `inputs.ts`. */
+export const commands: readonly Command[] = [
+  ['cubic ball.obj --lambda 0.4', 'obj'],
+  ['cubic bunny.off --local-step admm --acceleration none', 'off'],
+  ['cubic pretzel.ply --lambda-axes 1,1,0.1 --orientation 0,0.38,0,0.92', 'ply'],
+  ['cubic sail.stl --polyhedron hexagonal-prism --stop-on energy', 'stl'],
+  ['cubic ball.obj --polyhedron matrix.json --acceleration relaxed', 'off'],
+  ['cubic ball.obj --frames frames.json --lambda-per-vertex field.json', 'ply'],
+  ['cubic family.obj --lambda 0.3 --handles pins.json', 'obj'],
+  ['cubic sheet.glb --lambda 0.6', 'glb'],
+  ['analogy ball.obj', 'obj'],
+  ['analogy bunny.off --style icosahedron --regularizer farap', 'ply'],
+  ['analogy pretzel.ply --style cylinder --regularizer acap --lambda 2', 'obj'],
+  ['analogy bunny.off --style jessen --mapping spherical', 'off'],
+  ['analogy pipe.off --style ellipsoid.obj --mapping closest', 'obj'],
+  ['analogy ring.stl --style terraced --stop-on energy', 'stl'],
+  ['analogy bunny.off --style octahedron --dynamic-targets --max-iterations 40', 'obj'],
+  ['analogy ball.obj --handles handles.json --lambda-per-vertex field.json', 'glb'],
+  ['polycube bunny.off', 'obj'],
+  ['polycube ring.stl --directions directions.json --smoothing 0 --lambda 0.5', 'ply'],
+  ['developable bunny.off --creases 0.5', 'obj'],
+  ['developable ball.obj --handles handles.json --lambda 30 --lambda-per-vertex field.json', 'stl'],
+  ['normalmap jar.obj --image weave', 'obj'],
+  ['normalmap jar.obj --image normals.png --regularizer farap --green down --strength 0.7', 'off'],
+  ['normalmap jar.obj --image heights.png --reading height --repeat 2 --lambda 5', 'glb'],
+  ['normalmap sheet.glb', 'glb'],
+  ['arap ball.obj --handles handles.json', 'obj'],
+  ['arap ball.obj --handles handles.json --regularizer farap --acceleration none', 'stl'],
+  ['arap family.obj --handles pins.json --regularizer acap', 'ply'],
+  ['spherical bunny.off', 'ply'],
+  ['run steps.json ball.obj', 'obj'],
+  ['run relief.json jar.obj', 'obj'],
+];

@@ -1,0 +1,117 @@
+import { describe, expect, it } from 'vitest';
+import type { Project } from '../../src/editor/project.ts';
+import { newStep } from '../../src/editor/steps.ts';
+import { remarks } from '../../src/mesh/report-sentences.ts';
+import { methods } from '../../src/methods/registry.ts';
+import { startingLambda } from '../../src/methods/starting-lambda.ts';
+import type { NumberParameter } from '../../src/methods/values/number.ts';
+import { chooseMesh } from '../../web/app/choose-mesh.ts';
+import { commandLine, exportName, ownFormat } from '../../web/app/export.ts';
+import { offeredMethods } from '../../web/app/offered-methods.ts';
+import { fromTravel, toTravel, travel } from '../../web/panels/slider-scale.ts';
+import { curve } from '../../web/panels/sparkline.ts';
+
+const lambda = methods[0]!.parameters.find(({ name }) => name === 'lambda') as NumberParameter;
+const step = newStep({ method: 'cubic', parameters: { lambda: 0.35, tolerance: 3e-3, maxIterations: 50 } });
+const project = {
+  source: { name: "Ann's rabbit.glb", format: 'glb' },
+  steps: [step],
+  active: step.id,
+} as unknown as Project;
+const stack = { ...project, steps: [step, newStep({ method: 'developable', parameters: {} })] };
+
+describe('what is offered', () => {
+  it('leaves out methods with nothing to set here', () => {
+    expect(offeredMethods().map(({ id }) => id)).toEqual([
+      'cubic',
+      'analogy',
+      'polycube',
+      'developable',
+      'normalmap',
+    ]);
+  });
+
+  it('starts finer meshes with less', () => {
+    const values = [100, 3000, 11_000, 100_000, 1_000_000].map(startingLambda);
+    expect(values).toEqual([...values].sort((a, b) => b - a));
+    expect(startingLambda(0)).toBeLessThanOrEqual(1.2);
+  });
+});
+
+describe('the slider', () => {
+  it('goes there and back for every stand', () => {
+    for (let stand = 0; stand <= travel; stand++) {
+      const value = fromTravel(lambda, stand);
+      expect(Math.abs(toTravel(lambda, value) - stand)).toBeLessThanOrEqual(1);
+    }
+    expect(fromTravel(lambda, 0)).toBe(lambda.slider!.min);
+    expect(fromTravel(lambda, travel)).toBe(lambda.slider!.max);
+  });
+});
+
+describe('names and commands', () => {
+  it('names the export after file and method', () => {
+    expect(exportName(project, ownFormat(project).ending)).toBe("Ann's rabbit-cubic.glb");
+    expect(exportName(stack, '.obj')).toBe("Ann's rabbit-whittled.obj");
+  });
+
+  it('writes a command that a shell reads', () => {
+    expect(commandLine(project)).toBe(
+      "npx whittle cubic 'Ann'\\''s rabbit.glb' --lambda 0.35 --max-iterations 50 --out 'Ann'\\''s rabbit-cubic.glb'",
+    );
+  });
+
+  it('sends a stack of several steps by its recipe', () => {
+    expect(commandLine(stack)).toBe(
+      "npx whittle run 'Ann'\\''s rabbit.whittle.json' 'Ann'\\''s rabbit.glb' --out 'Ann'\\''s rabbit-whittled.glb'",
+    );
+  });
+});
+
+describe('dropped files', () => {
+  const named = (...names: string[]) => names.map((name) => ({ name }));
+
+  it.each([
+    [['odd.bin'], 'odd.bin', null],
+    [['a.mtl', 'wood.png', 'a.obj'], 'a.obj', /textures/],
+    [['a.obj', 'b.stl'], 'a.obj', /one mesh/],
+    [['a.mtl', 'wood.png'], undefined, /None/],
+  ])('%j', (names, mesh, note) => {
+    const choice = chooseMesh(named(...names));
+    expect(choice.mesh?.name).toBe(mesh);
+    if (note) expect(choice.note).toMatch(note);
+    else expect(choice.note).toBeNull();
+  });
+});
+
+describe('words about a mesh', () => {
+  const plain = {
+    vertices: 4,
+    faces: 4,
+    components: 1,
+    boundaryEdges: 0,
+    nonManifoldEdges: 0,
+    degenerateFaces: 0,
+    duplicateFaces: 0,
+    isolatedVertices: 0,
+    min: [0, 0, 0],
+    max: [1, 1, 1],
+  } as const;
+
+  it('has none for a plain one and one for each oddity', () => {
+    expect(remarks(plain, false)).toEqual([]);
+    expect(remarks({ ...plain, components: 3, boundaryEdges: 12, nonManifoldEdges: 2 }, true)).toHaveLength(
+      4,
+    );
+  });
+});
+
+describe('the energy curve', () => {
+  it('falls from the top to the bottom of its box', () => {
+    const points = curve([3, 2, 1])
+      .split(' ')
+      .map((point) => Number(point.split(',')[1]));
+    expect(points[0]).toBeLessThan(points.at(-1)!);
+    expect(curve([1])).toBe('');
+  });
+});

@@ -1,0 +1,2 @@
+/** Path of an installed browser, if there is one. */
+export function findBrowser(name: 'chromium' | 'firefox'): string | undefined;

@@ -1,0 +1,52 @@
+import type { Page } from './actions.ts';
+
+/**
+ * Makes the whole window a place to drop files: for meshes to carve, over the styles for styles and over the images for images.
+ * `body[data-dropping]` says which, while files hover over it.
+ */
+export function listenForDrops(page: Page, target: Window = window): void {
+  const { body } = target.document;
+  let depth = 0;
+  const end = () => {
+    depth = 0;
+    delete body.dataset.dropping;
+  };
+  target.addEventListener('dragenter', (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    depth++;
+    body.dataset.dropping = goods(event);
+  });
+  target.addEventListener('dragover', (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    event.dataTransfer!.dropEffect = 'copy';
+    body.dataset.dropping = goods(event);
+  });
+  target.addEventListener('dragleave', (event) => {
+    if (hasFiles(event) && --depth <= 0) end();
+  });
+  target.addEventListener('drop', (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    end();
+    const files = [...event.dataTransfer!.files];
+    const take = {
+      style: () => page.addStyles(files),
+      image: () => page.images.add(files),
+      mesh: () => page.openFiles(files),
+    };
+    void take[goods(event)]();
+  });
+}
+
+function hasFiles(event: DragEvent): boolean {
+  return event.dataTransfer?.types.includes('Files') ?? false;
+}
+
+/** What the place under the files takes them for. */
+function goods({ target }: DragEvent): 'mesh' | 'style' | 'image' {
+  if (!(target instanceof Element)) return 'mesh';
+  if (target.closest('[data-takes-images]')) return 'image';
+  return target.closest('[data-takes-styles]') ? 'style' : 'mesh';
+}

@@ -1,0 +1,45 @@
+import type { Source } from '../../src/editor/project.ts';
+import type { Image } from '../../src/inputs/images/image.ts';
+import { findPattern, patternIds } from '../../src/inputs/images/patterns.ts';
+import { rememberedTexture } from '../../src/inputs/images/read.ts';
+import type { Texture, TextureOptions } from '../../src/inputs/images/texture.ts';
+
+/** An image that can be laid on a mesh. Immutable. */
+export interface ImageEntry {
+  /** Unique on the page. */
+  readonly id: string;
+  readonly name: string;
+  /** As recipes and the command line call it; absent for the normal map inside the mesh's own file, which needs no name. */
+  readonly source?: string;
+  /** What the person brought; it can be read in more than one way. */
+  readonly image?: Image;
+  /** The file that has it inside; other meshes do not get it. */
+  readonly file?: Source;
+  /** The same object for the same options. @throws WhittleError as `textureOf` */
+  readonly texture: (options?: TextureOptions) => Texture;
+}
+
+/** The patterns that come with the page. */
+export const builtInImages: readonly ImageEntry[] = patternIds.map((id) => ({
+  id: `pattern-${id}`,
+  name: id.charAt(0).toUpperCase() + id.slice(1),
+  source: id,
+  texture: () => findPattern(id)!,
+}));
+
+let brought = 0;
+
+/** An image of the person's own. @param source its name in recipes, unlike all others */
+export function ownImage(source: string, image: Image): ImageEntry {
+  return { ...imageOf(source, image), source };
+}
+
+/** The normal map inside a mesh file. */
+export function embeddedImage(name: string, image: Image, file: Source): ImageEntry {
+  return { ...imageOf(name, image), file };
+}
+
+function imageOf(file: string, image: Image): ImageEntry {
+  const texture = (options?: TextureOptions) => rememberedTexture(image, file, options);
+  return { id: `own-image-${++brought}`, name: file.replace(/\.[^.]*$/, '') || file, image, texture };
+}
