@@ -24,7 +24,8 @@ TEST_CASE("a vertex order takes everything that belongs to vertices along, and g
   for (Index f = 0; f < mesh.faceCount(); ++f) {
     for (int k = 0; k < 3; ++k) CHECK(order.vertexAt(ordered.triangles(f, k)) == mesh.triangles(f, k));
   }
-  for (Index place = 0; place < n; ++place) CHECK(ordered.positions.row(place) == mesh.positions.row(order.vertexAt(place)));
+  for (Index place = 0; place < n; ++place)
+    CHECK(ordered.positions.row(place) == mesh.positions.row(order.vertexAt(place)));
   const TriangleMesh again = order.asLoaded(ordered);
   CHECK(again.positions == mesh.positions);
   CHECK(again.triangles == mesh.triangles);

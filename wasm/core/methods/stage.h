@@ -14,8 +14,8 @@ struct Stage {
   Stale level;        // what is no longer stale once all stages of this level are done
   const char* doing;  // in a few words for people, e.g. "factoring the system"
   double weight;      // about how long it takes, in any unit that all stages of a preparation share
-  /// Does some of it. `done` comes as 1 and is left there by what is done in one go; otherwise it becomes the share that is done, and the
-  /// rest waits for further calls.
+  /// Does some of it. `done` comes as 1 and is left there by what is done in one go; otherwise it becomes the share
+  /// that is done, and the rest waits for further calls.
   std::function<Status(double& done)> run;
 };
 

@@ -29,7 +29,8 @@ Graph edgeGraph(const TriangleMesh& mesh) {
 /// Triangles whose vertices have moved to other places.
 template <typename Moved>
 Triangles renumbered(Triangles triangles, const Moved& moved) {
-  for (Index corner = 0; corner < triangles.size(); ++corner) triangles.data()[corner] = moved(triangles.data()[corner]);
+  for (Index corner = 0; corner < triangles.size(); ++corner)
+    triangles.data()[corner] = moved(triangles.data()[corner]);
   return triangles;
 }
 

@@ -7,8 +7,8 @@
 
 namespace whittle {
 
-/// The order in which the methods have the vertices: an elimination order, in which sparse factors stay sparse and what the loops read
-/// together lies together. Faces stay as they were loaded.
+/// The order in which the methods have the vertices: an elimination order, in which sparse factors stay sparse and what
+/// the loops read together lies together. Faces stay as they were loaded.
 class VertexOrder {
  public:
   /// The order in which the vertices were loaded.

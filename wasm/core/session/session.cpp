@@ -24,7 +24,8 @@ Status Session::load(TriangleMesh mesh, std::vector<Index> sourceVertices) {
 Status Session::inFileNumbers(const Status& status) const {
   if (status.ok() || status.element.kind == Element::Kind::none) return status;
   const Index index = status.element.index;
-  const bool isMapped = status.element.kind == Element::Kind::vertex && index >= 0 && index < static_cast<Index>(sourceVertices_.size());
+  const bool isMapped =
+      status.element.kind == Element::Kind::vertex && index >= 0 && index < static_cast<Index>(sourceVertices_.size());
   return status.numbered(isMapped ? sourceVertices_[index] : index);
 }
 
@@ -85,7 +86,8 @@ Status Session::acceptMesh() const { return info_->acceptsMesh(vertexOrder_.asLo
 void Session::beginPreparing() {
   Plan plan(stale_);
   if (info_->acceptsMesh) plan.add(Stale::all, "checking the mesh", 5, [this](double&) { return acceptMesh(); });
-  if (vertexOrder_.isAsLoaded()) plan.add(Stale::all, "ordering the vertices", 40, [this](double& done) { orderVertices(done); });
+  if (vertexOrder_.isAsLoaded())
+    plan.add(Stale::all, "ordering the vertices", 40, [this](double& done) { orderVertices(done); });
   preparation_.emplace(plan.add(method_->plan(rest_, *ordered_, stale_)).stages());
 }
 

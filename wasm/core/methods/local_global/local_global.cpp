@@ -44,7 +44,8 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
 }
 
 void LocalGlobal::measure(const TriangleMesh& rest) {
-  rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
+  rest_.emplace(
+      RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
 }
@@ -60,7 +61,8 @@ void LocalGlobal::collectEdges(Rigidity rigidity) {
 
 void LocalGlobal::claimRunningState() {
   const Index vertexCount = rest_->mesh.vertexCount();
-  for (auto* rotations : {&guess_, &rotations_}) rotations->assign(batchCount(edges_->elementCount()), identityRotations());
+  for (auto* rotations : {&guess_, &rotations_})
+    rotations->assign(batchCount(edges_->elementCount()), identityRotations());
   covariances_.resize(batchCount(kBlock));
   rotationChanges_.resize(batchCount(kBlock));
   residual_.assign(ConstrainedQuadratic::paddedRows(vertexCount), {});
@@ -74,7 +76,8 @@ void LocalGlobal::assembleSystem(const Handles& handles) {
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  system_.beginPrepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), std::move(held), {.isOrdered = true});
+  system_.beginPrepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), std::move(held),
+                       {.isOrdered = true});
 }
 
 void LocalGlobal::begin(Points& positions) {
@@ -105,7 +108,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
     report.energy = localStep(displacements_, Guess::last);
   }
   // Not from an exact local step, but ADMM stops within its tolerance and, for strong regularizers, at local maxima.
-  if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_)) report.energy = localStep(displacements_, Guess::bound);
+  if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_))
+    report.energy = localStep(displacements_, Guess::bound);
   energy_ = report.energy;
   std::swap(previous_, displacements_);
   report.change = std::isfinite(report.energy) ? globalStep(positions) : std::numeric_limits<double>::quiet_NaN();
@@ -120,7 +124,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 
 double LocalGlobal::localStep(const Displacements& displacements, Guess guess) {
   std::fill(residual_.begin(), residual_.end(), LaneRow{});
-  double energy = localStep_.targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
+  double energy =
+      localStep_.targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
   const Index count = edges_->elementCount();
   for (Index first = 0; first < count; first += kBlock) {
     const ElementRange block{first, std::min(first + kBlock, count)};
