@@ -1,10 +1,10 @@
-// Times the core against the reference on one mesh, in one process, and prints the numbers as JSON (times in ms, memory in
-// bytes).
+// Times the core against the reference on one mesh, in one process, and prints the numbers as JSON (times in ms, memory
+// in bytes).
 //
 // usage: whittle-bench METHOD MESH SECONDS
 //
-// METHOD is one that `readProblem` has a problem for. MESH is a file as it wants it. SECONDS bounds the long run of the core; that of the
-// reference, where there is one, gets twice as many.
+// METHOD is one that `readProblem` has a problem for. MESH is a file as it wants it. SECONDS bounds the long run of the
+// core; that of the reference, where there is one, gets twice as many.
 
 #ifndef __EMSCRIPTEN__
 #include <sys/resource.h>
@@ -46,7 +46,7 @@ constexpr const char* kCompiler = "g++ " __VERSION__;
 #endif
 
 constexpr double kPermille = 1.001;  // of the converged energy
-constexpr int kFixedCount = 20;  // iterations after which builds are compared
+constexpr int kFixedCount = 20;      // iterations after which builds are compared
 
 /// Iterations and time to a share above E*.
 Json toWithin(const Descent& run, double lowest, double share) {

@@ -10,7 +10,7 @@ constexpr int kPrepareRounds = 5;
 constexpr int kIterationRounds = 25;
 constexpr int kBlock = 5;  // iterations in a row, as in a real run
 constexpr int kPlainBlock = 3;
-constexpr int kWarmUp = 3;            // iterations before the clock starts: ADMM's first steps are many
+constexpr int kWarmUp = 3;           // iterations before the clock starts: ADMM's first steps are many
 constexpr double kPaperStop = 3e-3;  // relative displacement; a run that is there begins anew
 
 /// Calls `round` so often, or once and then until the time is over; returns how often.
@@ -58,7 +58,11 @@ Json measurePrepare(const Problem& problem, double seconds) {
     order.add(timed([&] { cholesky.analyze(plain.freeBlock()); }), plainOrder);
     factor.add(timed([&] { require(cholesky.factorize(plain.freeBlock())); }), plainFactor);
   });
-  return Json().add("whole", whole.json()).add("order", order.json()).add("factor", factor.json()).add("rounds", rounds);
+  return Json()
+      .add("whole", whole.json())
+      .add("order", order.json())
+      .add("factor", factor.json())
+      .add("rounds", rounds);
 }
 
 /// The core's session and its linear solver.
@@ -173,9 +177,7 @@ Json measureIteration(const Problem& problem, double seconds) {
 }  // namespace
 
 Json measurePhases(const Problem& problem, double seconds) {
-  return Json()
-      .add("prepare", measurePrepare(problem, seconds))
-      .add("iteration", measureIteration(problem, seconds));
+  return Json().add("prepare", measurePrepare(problem, seconds)).add("iteration", measureIteration(problem, seconds));
 }
 
 }  // namespace whittle::bench

@@ -27,21 +27,33 @@ int whittle_load(WhittleSession* session, const double* positions, int32_t verte
                  int32_t face_count, const int32_t* source_vertices) {
   std::vector<Index> source;
   if (source_vertices) source.assign(source_vertices, source_vertices + vertex_count);
-  return session->keep(session->session.load({Eigen::Map<const Points>(positions, vertex_count, 3),
-                                              Eigen::Map<const Triangles>(triangles, face_count, 3)},
-                                             std::move(source)));
+  return session->keep(session->session.load(
+      {Eigen::Map<const Points>(positions, vertex_count, 3), Eigen::Map<const Triangles>(triangles, face_count, 3)},
+      std::move(source)));
 }
 
 void whittle_report(const WhittleSession* session, double* numbers) {
   const MeshReport& r = session->session.report();
-  const double all[] = {double(r.vertices),         double(r.faces),           double(r.components),
-                        double(r.boundaryEdges),    double(r.nonManifoldEdges), double(r.degenerateFaces),
-                        double(r.duplicateFaces),   double(r.isolatedVertices), r.min.x(), r.min.y(), r.min.z(),
-                        r.max.x(), r.max.y(), r.max.z()};
+  const double all[] = {double(r.vertices),
+                        double(r.faces),
+                        double(r.components),
+                        double(r.boundaryEdges),
+                        double(r.nonManifoldEdges),
+                        double(r.degenerateFaces),
+                        double(r.duplicateFaces),
+                        double(r.isolatedVertices),
+                        r.min.x(),
+                        r.min.y(),
+                        r.min.z(),
+                        r.max.x(),
+                        r.max.y(),
+                        r.max.z()};
   std::copy(std::begin(all), std::end(all), numbers);
 }
 
-int whittle_select(WhittleSession* session, const char* method) { return session->keep(session->session.select(method)); }
+int whittle_select(WhittleSession* session, const char* method) {
+  return session->keep(session->session.select(method));
+}
 
 int whittle_set_value(WhittleSession* session, const char* parameter, const char* name, const double* numbers,
                       int32_t number_count, const int32_t* indices, int32_t index_count) {
@@ -54,7 +66,9 @@ int whittle_set_value(WhittleSession* session, const char* parameter, const char
 
 void whittle_restart(WhittleSession* session) { session->session.restart(); }
 
-int whittle_prepare(WhittleSession* session, double* share) { return session->keep(session->session.prepareNext(*share)); }
+int whittle_prepare(WhittleSession* session, double* share) {
+  return session->keep(session->session.prepareNext(*share));
+}
 
 const char* whittle_stage(WhittleSession* session) { return session->session.stage(); }
 

@@ -3,8 +3,8 @@
 #include <stdint.h>
 
 // The core's C interface: one opaque handle, flat arrays, no exceptions. Calls that can fail return 0 or an error code;
-// whittle_code_name, whittle_message and whittle_element then tell what went wrong. Strings are UTF-8, NUL-terminated, and
-// live until the next call on the same session.
+// whittle_code_name, whittle_message and whittle_element then tell what went wrong. Strings are UTF-8, NUL-terminated,
+// and live until the next call on the same session.
 
 #ifdef __EMSCRIPTEN__
 #include <emscripten/emscripten.h>
@@ -26,10 +26,10 @@ WHITTLE_API WhittleSession* whittle_create(void);
 WHITTLE_API void whittle_destroy(WhittleSession* session);
 
 /// Takes a mesh: positions #V×3 and triangles #F×3, both copied.
-/// @param source_vertices #V, the number that the file has for each vertex (of those that became one, the first); null where it is the
-///   same. Sentences and elements of failures speak of these numbers.
-WHITTLE_API int whittle_load(WhittleSession* session, const double* positions, int32_t vertex_count, const int32_t* triangles,
-                             int32_t face_count, const int32_t* source_vertices);
+/// @param source_vertices #V, the number that the file has for each vertex (of those that became one, the first); null
+///   where it is the same. Sentences and elements of failures speak of these numbers.
+WHITTLE_API int whittle_load(WhittleSession* session, const double* positions, int32_t vertex_count,
+                             const int32_t* triangles, int32_t face_count, const int32_t* source_vertices);
 /// Writes what the core says of the loaded mesh, 14 numbers: vertices, faces, components, boundary edges, non-manifold
 /// edges, degenerate faces, duplicate faces, isolated vertices, box min xyz, box max xyz.
 WHITTLE_API void whittle_report(const WhittleSession* session, double* numbers);
@@ -43,12 +43,13 @@ WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
 ///   rotation          numbers x y z w, of any length but zero
 ///   scalars           a number for each vertex
 ///   rotations         numbers x y z w for each vertex; four zeros say nothing of theirs
-///   style             name "closest": numbers are normals, #N×3; name "vertex" or "face": indices are #P, then triangles #T×3, numbers are
-///                     points on the sphere, #P×3, then a normal for each point or for each triangle
+///   style             name "closest": numbers are normals, #N×3; name "vertex" or "face": indices are #P, then
+///                     triangles #T×3, numbers are points on the sphere, #P×3, then a normal for each point or triangle
 ///   textureSlopes     numbers are texture coordinates, then slopes of the faces' corners, both 3·#F×2
 ///   handles           indices are vertices as they were loaded, numbers their targets, #handles×3 in the file's units
-WHITTLE_API int whittle_set_value(WhittleSession* session, const char* parameter, const char* name, const double* numbers,
-                                  int32_t number_count, const int32_t* indices, int32_t index_count);
+WHITTLE_API int whittle_set_value(WhittleSession* session, const char* parameter, const char* name,
+                                  const double* numbers, int32_t number_count, const int32_t* indices,
+                                  int32_t index_count);
 
 /// Back to the rest positions.
 WHITTLE_API void whittle_restart(WhittleSession* session);

@@ -16,13 +16,14 @@ struct PlainProblem {
   double cubeness = 0;   // λ of cubic stylization; 0 is as-rigid-as-possible
   Handles handles = {};  // in the frame of the mesh
   AdmmConstants admm = {};
-  double strength = 0;          // λ of an analogy with constant targets: for each normal of the rest shape the closest of `style`
+  double strength =
+      0;  // λ of an analogy with constant targets: for each normal of the rest shape the closest of `style`
   Points style = Points(0, 3);  // unit normals
 };
 
-/// Cubic stylization, analogies and ARAP with spokes and rims as one would write them down from the papers: double precision, a
-/// singular value decomposition per vertex and fit, Eigen's Cholesky factorization, plain alternation. Every phase is a
-/// call of its own, for the caller to time. Meshes come in the unit frame.
+/// Cubic stylization, analogies and ARAP with spokes and rims as one would write them down from the papers: double
+/// precision, a singular value decomposition per vertex and fit, Eigen's Cholesky factorization, plain alternation.
+/// Every phase is a call of its own, for the caller to time. Meshes come in the unit frame.
 class PlainLocalGlobal {
  public:
   /// `rest` must outlive this.
@@ -49,7 +50,8 @@ class PlainLocalGlobal {
   void solve(Points& positions);
   void iterate(Points& positions);
 
-  /// Σ_i [ Σ_{e∈N(i)} c_e |R_i d_e − u_e|² + λ a_i |R_i n_i|₁ ], or + λ A_i |R_i n_i − t_i|², with the rotations of the last local step.
+  /// Σ_i [ Σ_{e∈N(i)} c_e |R_i d_e − u_e|² + λ a_i |R_i n_i|₁ ], or + λ A_i |R_i n_i − t_i|², with the rotations of the
+  /// last local step.
   double energy(const Points& positions) const;
 
  private:

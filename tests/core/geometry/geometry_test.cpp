@@ -48,8 +48,9 @@ TEST_CASE("the cotangent Laplacian is semidefinite, flat on constants and exact 
 }
 
 TEST_CASE("degenerate faces leave the Laplacian finite and semidefinite") {
-  for (const TriangleMesh& mesh : {oneTriangle({0, 0, 0}, {1, 0, 0}, {0.3, 0, 0}), oneTriangle({0, 0, 0}, {1, 0, 0}, {1, 0, 0}),
-                                   oneTriangle({0, 0, 0}, {1, 0, 0}, {0.5, 1e-14, 0}), oneTriangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1})}) {
+  for (const TriangleMesh& mesh :
+       {oneTriangle({0, 0, 0}, {1, 0, 0}, {0.3, 0, 0}), oneTriangle({0, 0, 0}, {1, 0, 0}, {1, 0, 0}),
+        oneTriangle({0, 0, 0}, {1, 0, 0}, {0.5, 1e-14, 0}), oneTriangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1})}) {
     const Eigen::MatrixXd L = denseLaplacian(mesh);
     CHECK(L.allFinite());
     CHECK(smallestEigenvalue(L) >= -1e-8 * (1 + L.norm()));

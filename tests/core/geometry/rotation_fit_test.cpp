@@ -67,8 +67,10 @@ TEST_CASE("a thousand warm fits in a row leave a rotation") {
 
 TEST_CASE("four fits at once find the maximum of every awkward matrix") {
   Noise noise;
-  const Vec3 awkward[] = {{3, 2, 1},  {3, 2, -1},       {1, 1, 0},        {1, 0, 0},          {0, 0, 0},
-                          {1, 1, -1}, {1, 0.3, -0.2999}, {1, 1e-4, 1e-8}, {1e-12, 1e-12, -1e-12}, {1e9, 1e9, 1e3}};
+  const Vec3 awkward[] = {{3, 2, 1},         {3, 2, -1},      {1, 1, 0},
+                          {1, 0, 0},         {0, 0, 0},       {1, 1, -1},
+                          {1, 0.3, -0.2999}, {1, 1e-4, 1e-8}, {1e-12, 1e-12, -1e-12},
+                          {1e9, 1e9, 1e3}};
   for (int trial = 0; trial < 400; ++trial) {
     MatrixLanes M;
     QuaternionLanes rotations = identityRotations();

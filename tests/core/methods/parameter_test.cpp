@@ -36,18 +36,18 @@ struct Everything {
 ParameterList<Everything> everything() {
   using P = Everything;
   const ChoiceKind<Colour> colours{{{"red", Colour::red}, {"green", Colour::green}}};
-  return withGroup<P, Group>({bind("number", &P::number, Stale::weights, NumberKind{{0, 1}}),
-                              bind("flag", &P::flag, Stale::targets, FlagKind{}),
-                              bind("colour", &P::colour, Stale::all, colours),
-                              bind("matrix", &P::matrix, Stale::weights, ChoiceOrRowsKind<Colour>{colours, 2}),
-                              bind("pair", &P::pair, Stale::weights, VectorKind<2>{{0, 10}}),
-                              bind("rotation", &P::rotation, Stale::weights, RotationKind{}),
-                              bind("scalars", &P::scalars, Stale::weights, ScalarsKind{{0, 10}}),
-                              bind("rotations", &P::rotations, Stale::weights, RotationsKind{}),
-                              bind("style", &P::style, Stale::weights, StyleKind{}),
-                              bind("texture", &P::texture, Stale::weights, TextureSlopesKind{}),
-                              bind("handles", &P::handles, Stale::system, HandlesKind{})},
-                             &P::group, {bind("count", &Group::count, Stale::targets, IntegerKind{{0, 20}})});
+  return withGroup<P, Group>(
+      {bind("number", &P::number, Stale::weights, NumberKind{{0, 1}}),
+       bind("flag", &P::flag, Stale::targets, FlagKind{}), bind("colour", &P::colour, Stale::all, colours),
+       bind("matrix", &P::matrix, Stale::weights, ChoiceOrRowsKind<Colour>{colours, 2}),
+       bind("pair", &P::pair, Stale::weights, VectorKind<2>{{0, 10}}),
+       bind("rotation", &P::rotation, Stale::weights, RotationKind{}),
+       bind("scalars", &P::scalars, Stale::weights, ScalarsKind{{0, 10}}),
+       bind("rotations", &P::rotations, Stale::weights, RotationsKind{}),
+       bind("style", &P::style, Stale::weights, StyleKind{}),
+       bind("texture", &P::texture, Stale::weights, TextureSlopesKind{}),
+       bind("handles", &P::handles, Stale::system, HandlesKind{})},
+      &P::group, {bind("count", &Group::count, Stale::targets, IntegerKind{{0, 20}})});
 }
 
 /// Values of everything on a grid of 2×2 vertices.
@@ -227,7 +227,8 @@ TEST_CASE("parameters describe themselves") {
   CHECK(has(R"({"name":"number","kind":"number","invalidates":"weights","default":0.5,"min":0,"max":1})"));
   CHECK(has(R"({"name":"flag","kind":"flag","invalidates":"targets","default":true})"));
   CHECK(has(R"({"name":"colour","kind":"choice","invalidates":"all","default":"green","choices":["red","green"]})"));
-  CHECK(has(R"({"name":"matrix","kind":"choice","invalidates":"weights","default":"red","choices":["red","green"],"maxRows":2})"));
+  CHECK(has(
+      R"({"name":"matrix","kind":"choice","invalidates":"weights","default":"red","choices":["red","green"],"maxRows":2})"));
   CHECK(has(R"({"name":"pair","kind":"vector","invalidates":"weights","default":[1,2],"min":0,"max":10})"));
   CHECK(has(R"({"name":"rotation","kind":"rotation","invalidates":"weights","default":[0,0,0,1]})"));
   CHECK(has(R"({"name":"scalars","kind":"scalars","invalidates":"weights","min":0,"max":10})"));

@@ -86,7 +86,8 @@ TEST_CASE("a run stops on the energy it was told to") {
     const std::size_t n = run.energies.size();
     CHECK(n >= before);
     before = n;
-    for (const std::size_t k : {n - 1, n - 2}) CHECK(run.energies[k - 1] - run.energies[k] <= tolerance * run.energies[k - 1]);
+    for (const std::size_t k : {n - 1, n - 2})
+      CHECK(run.energies[k - 1] - run.energies[k] <= tolerance * run.energies[k - 1]);
     CHECK(run.energies.back() <= converged * (1 + 50 * tolerance));
   }
 }

@@ -14,8 +14,8 @@
 using namespace whittle;
 using namespace whittle::testing;
 
-// The core against the papers' iteration written down plainly in double precision. Meshes are in the unit frame already,
-// so that the core's own frame changes nothing and distances are shares of the box.
+// The core against the papers' iteration written down plainly in double precision. Meshes are in the unit frame
+// already, so that the core's own frame changes nothing and distances are shares of the box.
 
 namespace {
 

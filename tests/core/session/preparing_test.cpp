@@ -114,7 +114,8 @@ TEST_CASE("only what is stale is done again") {
 TEST_CASE("a value that is set between stages is the one that counts, and does again only what has read the old one") {
   const TriangleMesh mesh = bent(sphere(3));
   const Points held = mesh.positions.row(7) * 1.5;
-  for (const char* stage : {"measuring the mesh", "factoring the system", "preparing the local step", "taking the settings"}) {
+  for (const char* stage :
+       {"measuring the mesh", "factoring the system", "preparing the local step", "taking the settings"}) {
     INFO(stage);
     Session session, fresh;
     REQUIRE(session.load(mesh).ok());
@@ -200,7 +201,8 @@ TEST_CASE("a field of scales shows what acap does to sizes") {
   CHECK((size - 2 * Scalars::Ones(mesh.vertexCount())).cwiseAbs().maxCoeff() < 1e-3);
   CHECK(session.copyField("weight", size.data()).code == Code::badParameter);
 
-  // Vertex by vertex in the order in which they were loaded: one end of the mesh is held as it was, the other at half its size.
+  // Vertex by vertex in the order in which they were loaded: one end of the mesh is held as it was, the other at half
+  // its size.
   Handles halves{handles.vertices, mesh.positions.bottomRows(mesh.vertexCount() - 1)};
   for (Index h = 0; h < halves.targets.rows(); ++h) {
     if (halves.targets(h, 0) > 0) halves.targets.row(h) *= 0.5;
@@ -211,6 +213,7 @@ TEST_CASE("a field of scales shows what acap does to sizes") {
   for (int step = 0; step < 10; ++step) REQUIRE(session.step(report).ok());
   REQUIRE(session.copyField("size", size.data()).ok());
   for (Index v = 1; v < mesh.vertexCount(); ++v) {
-    if (std::abs(mesh.positions(v, 0)) > 0.4) CHECK(size[v] == doctest::Approx(mesh.positions(v, 0) > 0 ? 0.5 : 1).epsilon(0.02));
+    if (std::abs(mesh.positions(v, 0)) > 0.4)
+      CHECK(size[v] == doctest::Approx(mesh.positions(v, 0) > 0 ? 0.5 : 1).epsilon(0.02));
   }
 }

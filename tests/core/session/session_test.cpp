@@ -19,7 +19,8 @@ TEST_CASE("what cannot be done is refused by name and leaves the session usable"
 
   CHECK(session.set("lamda", encoded(1)).code == Code::badParameter);
   CHECK(session.set("handles", encoded(1)).code == Code::badParameter);
-  for (const double bad : {-0.1, 100.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {-0.1, 100.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     CHECK(session.set("lambda", encoded(bad)).code == Code::badParameter);
   }
   CHECK(session.set("maxIterations", encoded(2.5)).code == Code::badParameter);
@@ -28,7 +29,8 @@ TEST_CASE("what cannot be done is refused by name and leaves the session usable"
   CHECK(session.set("handles", encoded(Handles{{66}, origin})).code == Code::badHandles);
   CHECK(session.set("handles", encoded(Handles{{-1}, origin})).code == Code::badHandles);
   CHECK(session.set("handles", encoded(Handles{{3, 3}, Points::Zero(2, 3)})).code == Code::badHandles);
-  CHECK(session.set("handles", encoded(Handles{{3}, Points::Constant(1, 3, std::numeric_limits<double>::infinity())})).code == Code::badHandles);
+  CHECK(session.set("handles", encoded(Handles{{3}, Points::Constant(1, 3, std::numeric_limits<double>::infinity())}))
+            .code == Code::badHandles);
 
   REQUIRE(session.prepare().ok());
   StepReport report;
@@ -162,5 +164,6 @@ TEST_CASE("the registry describes itself as JSON") {
   const std::string json = describeMethods();
   CHECK(json.front() == '[');
   CHECK(json.find("\"id\":\"cubic\"") != std::string::npos);
-  CHECK(json.find("\"name\":\"lambda\",\"kind\":\"number\",\"invalidates\":\"weights\",\"default\":0.2") != std::string::npos);
+  CHECK(json.find("\"name\":\"lambda\",\"kind\":\"number\",\"invalidates\":\"weights\",\"default\":0.2") !=
+        std::string::npos);
 }

@@ -58,7 +58,8 @@ TEST_CASE("values that coincide or vanish are no trouble") {
   for (int trial = 0; trial < 30; ++trial) {
     const Mat3 some[4] = {with({1, 1, 1}), with({1, 1, 0}), with({1, 0, 0}), with({2, 1e-4, 1e-4})};
     check(some);
-    const Mat3 others[4] = {Mat3::Zero(), Mat3(Vec3(1, 3, 2).asDiagonal()), 1e-8 * with({3, 2, 1}), with({1, 1e-3, 1e-5})};
+    const Mat3 others[4] = {Mat3::Zero(), Mat3(Vec3(1, 3, 2).asDiagonal()), 1e-8 * with({3, 2, 1}),
+                            with({1, 1e-3, 1e-5})};
     check(others);
   }
 }

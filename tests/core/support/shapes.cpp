@@ -33,7 +33,8 @@ std::vector<std::array<Index, 3>> gridFaces(Index rows, Index columns) {
 }  // namespace
 
 TriangleMesh sphere(int levels) {
-  std::vector<Vec3> points = {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY(), Vec3::UnitZ(), -Vec3::UnitZ()};
+  std::vector<Vec3> points = {Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
+                              -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
   std::vector<std::array<Index, 3>> faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                              {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (int level = 0; level < levels; ++level) {
@@ -117,7 +118,8 @@ TriangleMesh torus(int n) {
     for (int c = 0; c < n; ++c) {
       const double a = 2 * EIGEN_PI * r / n, b = 2 * EIGEN_PI * c / n, radius = 1 + 0.4 * std::cos(b);
       mesh.positions.row(r * n + c) << radius * std::cos(a), radius * std::sin(a), 0.4 * std::sin(b);
-      const Index p = r * n + c, right = r * n + (c + 1) % n, up = (r + 1) % n * n + c, across = (r + 1) % n * n + (c + 1) % n;
+      const Index p = r * n + c, right = r * n + (c + 1) % n, up = (r + 1) % n * n + c,
+                  across = (r + 1) % n * n + (c + 1) % n;
       mesh.triangles.row(2 * p) << p, up, across;
       mesh.triangles.row(2 * p + 1) << p, across, right;
     }
@@ -131,21 +133,26 @@ TriangleMesh animal(int levels) {
     Vec3 towards;
     double height, sharpness;
   };
-  const Bump bumps[] = {{{0.7, 0.7, 0.1}, 0.9, 6}, {{0.45, 1, 0.35}, 0.7, 30}, {{0.4, 1, -0.2}, 0.7, 30}, {{-1, 0.1, 0.1}, 0.4, 20}};
+  const Bump bumps[] = {
+      {{0.7, 0.7, 0.1}, 0.9, 6}, {{0.45, 1, 0.35}, 0.7, 30}, {{0.4, 1, -0.2}, 0.7, 30}, {{-1, 0.1, 0.1}, 0.4, 20}};
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     const Vec3 p = mesh.positions.row(v).transpose();
     double radius = 1;
-    for (const Bump& bump : bumps) radius += bump.height * std::exp(bump.sharpness * (p.dot(bump.towards.normalized()) - 1));
+    for (const Bump& bump : bumps)
+      radius += bump.height * std::exp(bump.sharpness * (p.dot(bump.towards.normalized()) - 1));
     mesh.positions.row(v) = radius * Eigen::RowVector3d(p.x(), 0.8 * p.y(), 0.7 * p.z());
   }
   return mesh;
 }
 
-Index shuffledPlace(Index v, Index count) { return static_cast<Index>((static_cast<std::int64_t>(v) * 101 + 7) % count); }
+Index shuffledPlace(Index v, Index count) {
+  return static_cast<Index>((static_cast<std::int64_t>(v) * 101 + 7) % count);
+}
 
 TriangleMesh shuffled(const TriangleMesh& mesh) {
   TriangleMesh result = mesh;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) result.positions.row(shuffledPlace(v, mesh.vertexCount())) = mesh.positions.row(v);
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+    result.positions.row(shuffledPlace(v, mesh.vertexCount())) = mesh.positions.row(v);
   for (Index corner = 0; corner < mesh.triangles.size(); ++corner) {
     result.triangles.data()[corner] = shuffledPlace(mesh.triangles.data()[corner], mesh.vertexCount());
   }
@@ -163,7 +170,8 @@ TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, con
 TriangleMesh bent(TriangleMesh mesh) {
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     const Vec3 p = mesh.positions.row(v).transpose();
-    mesh.positions.row(v) << p.x() + 0.2 * std::sin(2 * p.y()), p.y() * (1.3 + 0.3 * p.z()), p.z() + 0.1 * p.x() * p.x();
+    mesh.positions.row(v) << p.x() + 0.2 * std::sin(2 * p.y()), p.y() * (1.3 + 0.3 * p.z()),
+        p.z() + 0.1 * p.x() * p.x();
   }
   return mesh;
 }

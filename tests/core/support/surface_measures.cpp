@@ -69,7 +69,8 @@ Scalars angleDefects(const Points& positions, const Triangles& triangles) {
 }
 
 Eigen::MatrixXd denseLaplacian(const TriangleMesh& mesh) {
-  const SparseMatrix lower = cotangentLaplacian(mesh.triangles, halfCotangents(mesh.positions, mesh.triangles), mesh.vertexCount());
+  const SparseMatrix lower =
+      cotangentLaplacian(mesh.triangles, halfCotangents(mesh.positions, mesh.triangles), mesh.vertexCount());
   return SparseMatrix(lower.selfadjointView<Eigen::Lower>());
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 template <typename Task>
 auto inOneGo(Task&& task) {
-  while (task.next() < 1) {}
+  while (task.next() < 1) {
+  }
   return task.take();
 }
 
@@ -99,7 +100,8 @@ SparseMatrix matrixOn(Index n, const Edges& edges, Noise& noise, Index blockSize
     entries.emplace_back(i, j, value), entries.emplace_back(j, i, value);
     diagonal[i] += std::abs(value), diagonal[j] += std::abs(value);
   };
-  for (const auto& [a, b] : edges) couple(a * blockSize + pick(blockSize, noise), b * blockSize + pick(blockSize, noise));
+  for (const auto& [a, b] : edges)
+    couple(a * blockSize + pick(blockSize, noise), b * blockSize + pick(blockSize, noise));
   for (Index i = 1; i < n * blockSize; ++i) {
     if (i % blockSize != 0 && i % 4 != 0) couple(i - 1, i);
   }

@@ -25,14 +25,17 @@ double degreesBetween(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(
 
 /// The sphere with its own normals.
 GaussMapData identityOn(const TriangleMesh& mesh, Kind kind) {
-  return {kind, kind == Kind::perVertex ? mesh.positions : faceNormals(mesh.positions, mesh.triangles), mesh.positions, mesh.triangles};
+  return {kind, kind == Kind::perVertex ? mesh.positions : faceNormals(mesh.positions, mesh.triangles), mesh.positions,
+          mesh.triangles};
 }
 
 /// Most of the sphere's triangles crushed towards a pole, as the flow does with ears.
 TriangleMesh crushed(TriangleMesh mesh) {
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     const Vec3 p = mesh.positions.row(v).transpose();
-    mesh.positions.row(v) = Vec3(0.001 * p.x(), 0.001 * p.y(), p.z() > -0.9 ? 0.001 + 0.002 * p.z() : 0.01 * p.z()).normalized().transpose();
+    mesh.positions.row(v) = Vec3(0.001 * p.x(), 0.001 * p.y(), p.z() > -0.9 ? 0.001 + 0.002 * p.z() : 0.01 * p.z())
+                                .normalized()
+                                .transpose();
   }
   return mesh;
 }
@@ -69,7 +72,8 @@ TEST_CASE("the identity on a sphere: exact at its points, nearly so between") {
   }
   // As a style mesh comes, with the normals of its surface.
   const TriangleMesh coarse = sphere(4);
-  const GaussMap computed({Kind::perVertex, vertexNormals(coarse.positions, coarse.triangles), coarse.positions, coarse.triangles});
+  const GaussMap computed(
+      {Kind::perVertex, vertexNormals(coarse.positions, coarse.triangles), coarse.positions, coarse.triangles});
   double sum = 0;
   for (const Vec3& n : directions(2000)) sum += degreesBetween(computed(n), n);
   CHECK(sum / 2000 < 0.6);  // an octahedral sphere is uneven at its six corners

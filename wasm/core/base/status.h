@@ -42,8 +42,9 @@ struct Element {
   static Element item(Index index) { return {Kind::item, index}; }
 };
 
-/// The result of everything that can fail: a code, a sentence for a person and the element it is about. Where the sentence names the
-/// element it has `kPlace` for its number, which is filled in once, in the numbering of the file (`Session`).
+/// The result of everything that can fail: a code, a sentence for a person and the element it is about. Where the
+/// sentence names the element it has `kPlace` for its number, which is filled in once, in the numbering of the file
+/// (`Session`).
 struct [[nodiscard]] Status {
   static constexpr const char* kPlace = "{}";
 
@@ -53,7 +54,9 @@ struct [[nodiscard]] Status {
 
   bool ok() const { return code == Code::ok; }
 
-  static Status failure(Code code, std::string message, Element element = {}) { return {code, std::move(message), element}; }
+  static Status failure(Code code, std::string message, Element element = {}) {
+    return {code, std::move(message), element};
+  }
 
   /// The failure with `number` for its element, also in the sentence.
   Status numbered(Index number) const;

@@ -2,7 +2,8 @@
 
 namespace whittle {
 
-Gauge::Gauge(const Components& components, const std::vector<Index>& handles, const Points& rest, const Scalars& areas) {
+Gauge::Gauge(const Components& components, const std::vector<Index>& handles, const Points& rest,
+             const Scalars& areas) {
   constexpr Index kHeld = -1;
   constexpr Index kUnseen = -2;
   std::vector<Index> floatingOf(components.count, kUnseen);

@@ -21,8 +21,8 @@ class Gauge {
   /// Moves each part without a handle so that its centroid lies where it lay at rest. Allocates nothing.
   void restoreCentroids(Points& positions);
 
-  /// Finds how far each part without a handle has to move, besides these moves of displaced vertices, for its centroid to lie where it
-  /// lay at rest. Allocates nothing.
+  /// Finds how far each part without a handle has to move, besides these moves of displaced vertices, for its centroid
+  /// to lie where it lay at rest. Allocates nothing.
   void balance(const LaneRows& displacements, const LaneRows& moves);
   /// That of a vertex, zero where a handle holds its part.
   Lanes shift(std::size_t vertex) const { return load(&laneShifts_[floatingPart_[vertex] + 1]); }

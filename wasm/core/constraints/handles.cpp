@@ -9,7 +9,8 @@ Status validateHandles(const Handles& handles, Index vertexCount) {
   for (std::size_t h = 0; h < handles.vertices.size(); ++h) {
     const Index v = handles.vertices[h];
     const auto refused = [&](const char* why) {
-      return Status::failure(Code::badHandles, "handle " + std::to_string(h) + " holds vertex {}" + why, Element::vertex(v));
+      return Status::failure(Code::badHandles, "handle " + std::to_string(h) + " holds vertex {}" + why,
+                             Element::vertex(v));
     };
     if (v < 0 || v >= vertexCount) return refused(", which the mesh does not have");
     if (held[v]) return refused(", which another handle holds already");

@@ -16,8 +16,8 @@ namespace {
 /// so any positive floor keeps L semidefinite; this one keeps its condition within reach of double precision.
 constexpr double kAreaFloor = 1e-8;
 
-/// Sums what the faces add to each edge. Terms are gathered by rows; rows come in order, so that when each hands its sums out to the
-/// columns, these are sorted.
+/// Sums what the faces add to each edge. Terms are gathered by rows; rows come in order, so that when each hands its
+/// sums out to the columns, these are sorted.
 class LaplacianAssembly {
  public:
   LaplacianAssembly(const Triangles& triangles, const CornerScalars& halfCotangents, Index vertexCount)
@@ -42,10 +42,10 @@ class LaplacianAssembly {
   const Triangles& triangles_;
   const CornerScalars& halfCotangents_;
   const Index vertexCount_;
-  std::vector<Term> terms_;       // by rows, then summed
+  std::vector<Term> terms_;  // by rows, then summed
   std::vector<double> diagonal_;
-  std::vector<Index> rowStart_;   // #V + 1, in `terms_`
-  std::vector<Index> seenAt_;     // where a column last had a term
+  std::vector<Index> rowStart_;  // #V + 1, in `terms_`
+  std::vector<Index> seenAt_;    // where a column last had a term
   SparseMatrix L_;
 };
 
@@ -165,7 +165,8 @@ LaplacianPattern::LaplacianPattern(const Triangles& triangles, Index vertexCount
       const Index* begin = lower_.innerIndexPtr() + lower_.outerIndexPtr()[column];
       const Index* end = lower_.innerIndexPtr() + lower_.outerIndexPtr()[column + 1];
       const bool isFree = row != column && !isHeld_[row] && !isHeld_[column];
-      edgePlaces_(f, k) = isFree ? static_cast<Index>(std::lower_bound(begin, end, row) - lower_.innerIndexPtr()) : kNowhere;
+      edgePlaces_(f, k) =
+          isFree ? static_cast<Index>(std::lower_bound(begin, end, row) - lower_.innerIndexPtr()) : kNowhere;
     }
   }
 }

@@ -6,8 +6,8 @@
 
 namespace whittle {
 
-/// First and second order of tr(exp([w]×) A) in w: gradient g and negative Hessian H = tr(A) I − sym(A). Where g = 0 and H is
-/// positive definite, the rotation in A is the global maximum, not only a local one.
+/// First and second order of tr(exp([w]×) A) in w: gradient g and negative Hessian H = tr(A) I − sym(A). Where g = 0
+/// and H is positive definite, the rotation in A is the global maximum, not only a local one.
 struct RotationModel {
   Vec3 g;
   Mat3 H;
@@ -45,17 +45,19 @@ struct RotationModelLanes {
     const auto& m = A.m;
     const Lanes half = splat(0.5f);
     g = {m[1][2] - m[2][1], m[2][0] - m[0][2], m[0][1] - m[1][0]};
-    H = {m[1][1] + m[2][2],        -half * (m[0][1] + m[1][0]), -half * (m[0][2] + m[2][0]),
-         m[0][0] + m[2][2],        -half * (m[1][2] + m[2][1]), m[0][0] + m[1][1]};
+    H = {m[1][1] + m[2][2], -half * (m[0][1] + m[1][0]), -half * (m[0][2] + m[2][0]),
+         m[0][0] + m[2][2], -half * (m[1][2] + m[2][1]), m[0][0] + m[1][1]};
   }
 };
 
-/// A turn (radians) below which single precision sees only its own rounding: it is left out, so that what is at rest stays there.
+/// A turn (radians) below which single precision sees only its own rounding: it is left out, so that what is at rest
+/// stays there.
 constexpr float kTurnOfRounding = 3e-7f;
 
 inline LaneMask isPositiveDefinite(const SymmetricLanes& H, Lanes determinant, float singular = 1e-6f) {
   const Lanes trace = H.xx + H.yy + H.zz;
-  return (trace > 0) & (H.xx > 0) & (H.xx * H.yy - H.xy * H.xy > 0) & (determinant > singular * (trace * trace * trace));
+  return (trace > 0) & (H.xx > 0) & (H.xx * H.yy - H.xy * H.xy > 0) &
+         (determinant > singular * (trace * trace * trace));
 }
 
 inline LaneMask isPositiveDefinite(const SymmetricLanes& H) {

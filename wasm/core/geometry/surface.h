@@ -10,8 +10,8 @@ Scalars faceAreas(const Points& positions, const Triangles& triangles);
 /// Barycentric area of each vertex, #V: a third of its faces' area. Sums to the area of the surface.
 Scalars barycentricAreas(const Points& positions, const Triangles& triangles);
 
-/// Mixed Voronoi area of each vertex, #V: of an acute face the part nearest to the vertex, of an obtuse one half of it at the wide
-/// corner and a quarter at the others. Sums to the area of the surface.
+/// Mixed Voronoi area of each vertex, #V: of an acute face the part nearest to the vertex, of an obtuse one half of it
+/// at the wide corner and a quarter at the others. Sums to the area of the surface.
 Scalars mixedVoronoiAreas(const Points& positions, const Triangles& triangles);
 
 /// Area-weighted vertex normals, #V×3, unit length; the zero vector where the faces cancel or there are none.

@@ -26,7 +26,8 @@ void join(std::vector<Index>& parent, Index v, Index w) {
 
 /// Counts the edges from v to higher vertices.
 /// @param faceCounts of the edge to each vertex, all zero before and after
-WHITTLE_OWN_FUNCTION void countEdgesAt(Index v, const Triangles& triangles, const Fans& fans, Index* faceCounts, EdgeCounts& counts) {
+WHITTLE_OWN_FUNCTION void countEdgesAt(Index v, const Triangles& triangles, const Fans& fans, Index* faceCounts,
+                                       EdgeCounts& counts) {
   const auto forEachOther = [&](auto&& visit) {
     for (Index p = fans.start[v]; p < fans.start[v + 1]; ++p) {
       const Index f = fans.corners[p] / 3;
@@ -89,14 +90,16 @@ Fans::Fans(const Triangles& triangles, Index vertexCount) : start(vertexCount + 
 EdgeCounts countEdges(const Triangles& triangles, const Fans& fans) {
   EdgeCounts counts;
   std::vector<Index> faceCounts(fans.start.size(), 0);
-  for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v) countEdgesAt(v, triangles, fans, faceCounts.data(), counts);
+  for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v)
+    countEdgesAt(v, triangles, fans, faceCounts.data(), counts);
   return counts;
 }
 
 Index countDuplicateFaces(const Triangles& triangles, const Fans& fans) {
   Index count = 0;
   std::vector<std::pair<Index, Index>> others;
-  for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v) count += countDuplicatesAt(v, triangles, fans, others);
+  for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v)
+    count += countDuplicatesAt(v, triangles, fans, others);
   return count;
 }
 

@@ -15,7 +15,8 @@ struct Components {
 /// Parts by shared vertices (edges of faces connect, so a bow-tie vertex joins its two fans).
 Components connectedComponents(const Triangles& triangles, Index vertexCount);
 
-/// The face corners at each vertex: of v, corners[start[v]] … corners[start[v + 1] − 1], ascending. Corner k of face f is 3f + k.
+/// The face corners at each vertex: of v, corners[start[v]] … corners[start[v + 1] − 1], ascending. Corner k of face f
+/// is 3f + k.
 struct Fans {
   std::vector<Index> start;    // #V + 1
   std::vector<Index> corners;  // 3 #F

@@ -20,8 +20,9 @@ Status checkCounts(const TriangleMesh& mesh) {
     return Status::failure(Code::noFaces, "the mesh has no faces; a point cloud must be meshed first");
   }
   if (mesh.vertexCount() > kMaxVertices) {
-    return Status::failure(Code::tooLarge, "the mesh has " + std::to_string(mesh.vertexCount()) + " vertices, more than the " +
-                                               std::to_string(kMaxVertices) + " that fit in memory; decimate it first");
+    return Status::failure(Code::tooLarge, "the mesh has " + std::to_string(mesh.vertexCount()) +
+                                               " vertices, more than the " + std::to_string(kMaxVertices) +
+                                               " that fit in memory; decimate it first");
   }
   return {};
 }
@@ -43,7 +44,8 @@ Status checkIndices(const TriangleMesh& mesh) {
 Status checkPositions(const TriangleMesh& mesh) {
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     if (mesh.positions.row(v).allFinite()) continue;
-    return Status::failure(Code::notFinite, "vertex {} has a coordinate that is not a number; repair or remove it", Element::vertex(v));
+    return Status::failure(Code::notFinite, "vertex {} has a coordinate that is not a number; repair or remove it",
+                           Element::vertex(v));
   }
   const Vec3 extent = boundingBox(mesh.positions).sizes();
   if (!extent.allFinite() || extent.squaredNorm() > 1e300) {

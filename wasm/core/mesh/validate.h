@@ -6,8 +6,9 @@
 namespace whittle {
 
 /// The one door: refuses what no method can work on, names the bad element and says what to do. Fails with `noFaces`,
-/// `tooLarge`, `indexOutOfRange` (element: face), `notFinite` (element: vertex) or `zeroExtent`. Everything else (holes,
-/// several parts, non-manifold edges, zero-area or repeated faces, unused vertices) is let through and reported.
+/// `tooLarge`, `indexOutOfRange` (element: face), `notFinite` (element: vertex) or `zeroExtent`. Everything else
+/// (holes, several parts, non-manifold edges, zero-area or repeated faces, unused vertices) is let through and
+/// reported.
 Status validate(const TriangleMesh& mesh);
 
 /// What the user may want to know of a valid mesh. Edges and parts are those of the faces.

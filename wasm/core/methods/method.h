@@ -23,8 +23,9 @@ struct StepReport {
   double change = 0;  // relative displacement: longest move of the step over the largest displacement from rest
 };
 
-/// A method at work on one mesh. The rest mesh is in the unit frame and outlives the method. Its vertices are in an elimination order, as
-/// sparse systems on its graph want them (`Ordering::isOrdered`), and so are those of the values; failures therefore name no element.
+/// A method at work on one mesh. The rest mesh is in the unit frame and outlives the method. Its vertices are in an
+/// elimination order, as sparse systems on its graph want them (`Ordering::isOrdered`), and so are those of the values;
+/// failures therefore name no element.
 class Method {
  public:
   virtual ~Method() = default;
@@ -32,12 +33,13 @@ class Method {
   /// Refuses values that do not go together, or of which one is missing, before anything is computed.
   virtual Status check(const ParameterValues& values) const = 0;
 
-  /// What is to be done about what is stale, the highest level first. Stages read the values when they run: one that is set in between and
-  /// makes stale only what has not been done yet is taken as it is then. Values and rest outlive the stages.
+  /// What is to be done about what is stale, the highest level first. Stages read the values when they run: one that is
+  /// set in between and makes stale only what has not been done yet is taken as it is then. Values and rest outlive the
+  /// stages.
   virtual std::vector<Stage> plan(const TriangleMesh& rest, const ParameterValues& values, Stale stale) = 0;
 
-  /// Starts a run (iteration count, stopping rule, local state) of a prepared method from the given positions, moving them where
-  /// constraints hold them.
+  /// Starts a run (iteration count, stopping rule, local state) of a prepared method from the given positions, moving
+  /// them where constraints hold them.
   virtual void begin(Points& positions) = 0;
 
   /// One iteration, in place. Allocates nothing. After a failure the positions are those before it.
@@ -67,7 +69,9 @@ class MethodOf : public Method {
   std::vector<std::string> warnings(const ParameterValues& values) const final { return warnings(structOf(values)); }
 
  private:
-  static const P& structOf(const ParameterValues& values) { return static_cast<const BoundValues<P>&>(values).values(); }
+  static const P& structOf(const ParameterValues& values) {
+    return static_cast<const BoundValues<P>&>(values).values();
+  }
 };
 
 /// A line of the registry.

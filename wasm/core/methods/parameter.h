@@ -10,17 +10,19 @@
 
 namespace whittle {
 
-/// What a kind of value has to offer. Where it belongs to vertices it has `order(const VertexOrder&, Value&)` too, and where more is to be
-/// said than that different values make stale what the parameter invalidates, `changed(before, now, invalidates)`.
+/// What a kind of value has to offer. Where it belongs to vertices it has `order(const VertexOrder&, Value&)` too, and
+/// where more is to be said than that different values make stale what the parameter invalidates, `changed(before, now,
+/// invalidates)`.
 template <typename Kind>
-concept ValueKind = requires(const Kind& kind, const RawValue& raw, const MeshContext& mesh, typename Kind::Value& value, Json& json) {
+concept ValueKind = requires(const Kind& kind, const RawValue& raw, const MeshContext& mesh,
+                             typename Kind::Value& value, Json& json) {
   { Kind::kName } -> std::convertible_to<const char*>;
   { kind.read(raw, mesh, value) } -> std::same_as<Status>;
   kind.describe(value, json);
 };
 
-/// A kind of value whatever its type: values go by their addresses, so that the code of a kind is there once and not for each parameter
-/// of each method, which would be half the module.
+/// A kind of value whatever its type: values go by their addresses, so that the code of a kind is there once and not
+/// for each parameter of each method, which would be half the module.
 class AnyKind {
  public:
   virtual ~AnyKind() = default;
@@ -42,7 +44,8 @@ class KindOf final : public AnyKind {
 
   explicit KindOf(Kind kind) : kind_(std::move(kind)) {}
 
-  Status set(void* value, const void* usual, const RawValue& raw, const MeshContext& mesh, Stale invalidates, Stale& made) const override {
+  Status set(void* value, const void* usual, const RawValue& raw, const MeshContext& mesh, Stale invalidates,
+             Stale& made) const override {
     Value& present = *static_cast<Value*>(value);
     Value next = raw.isEmpty() ? *static_cast<const Value*>(usual) : present;
     if (!raw.isEmpty()) {
@@ -57,17 +60,19 @@ class KindOf final : public AnyKind {
     return {};
   }
   void order(void* value, const VertexOrder& order) const override {
-    if constexpr (requires(Value& v) { kind_.order(order, v); }) kind_.order(order, *static_cast<Value*>(value));
+    if constexpr (requires(Value & v) { kind_.order(order, v); }) kind_.order(order, *static_cast<Value*>(value));
   }
   const char* name() const override { return Kind::kName; }
-  void describe(const void* usual, Json& json) const override { kind_.describe(*static_cast<const Value*>(usual), json); }
+  void describe(const void* usual, Json& json) const override {
+    kind_.describe(*static_cast<const Value*>(usual), json);
+  }
 
  private:
   Kind kind_;
 };
 
-/// One parameter of the methods whose parameters are a P: the line that binds a name to a member, what a change of it makes stale and
-/// the kind of its value. Its default is the member's initialiser.
+/// One parameter of the methods whose parameters are a P: the line that binds a name to a member, what a change of it
+/// makes stale and the kind of its value. Its default is the member's initialiser.
 template <typename P>
 struct Parameter {
   const char* name;
@@ -87,15 +92,16 @@ std::ptrdiff_t offsetOf(Member P::*member) {
 }
 
 template <typename P, typename Value, ValueKind Kind>
-  requires std::same_as<Value, typename Kind::Value>
-Parameter<P> bind(const char* name, Value P::*member, Stale invalidates, Kind kind) {
+requires std::same_as<Value, typename Kind::Value> Parameter<P> bind(const char* name, Value P::*member,
+                                                                     Stale invalidates, Kind kind) {
   return {name, offsetOf(member), invalidates, std::make_shared<KindOf<Kind>>(std::move(kind))};
 }
 
 /// The parameters of a method, with those of a group that it has as a member behind its own.
 template <typename P, typename Group>
 ParameterList<P> withGroup(ParameterList<P> own, Group P::*member, const ParameterList<Group>& group) {
-  for (const auto& [name, offset, invalidates, kind] : group) own.push_back({name, offsetOf(member) + offset, invalidates, kind});
+  for (const auto& [name, offset, invalidates, kind] : group)
+    own.push_back({name, offsetOf(member) + offset, invalidates, kind});
   return own;
 }
 

@@ -7,7 +7,8 @@ Status ParameterValues::set(const std::string& parameter, const RawValue& raw, c
     if (parameter != bound.name) continue;
     RawValue named = raw;
     named.parameter = bound.name;
-    return bound.kind->set(address() + bound.offset, usualAddress() + bound.offset, named, mesh, bound.invalidates, made);
+    return bound.kind->set(address() + bound.offset, usualAddress() + bound.offset, named, mesh, bound.invalidates,
+                           made);
   }
   return Status::failure(Code::badParameter, "there is no parameter \"" + parameter + "\"");
 }

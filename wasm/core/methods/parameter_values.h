@@ -20,8 +20,8 @@ class ParameterValues {
   /// Becomes values of the same method with what belongs to vertices put into their order.
   void takeOrdered(const ParameterValues& values, const VertexOrder& order);
 
-  /// The parameters, for TypeScript to hold against its descriptors: [{"name", "kind", "invalidates", "default", "min", "max", "choices",
-  /// "maxRows"}], each only where it applies.
+  /// The parameters, for TypeScript to hold against its descriptors: [{"name", "kind", "invalidates", "default", "min",
+  /// "max", "choices", "maxRows"}], each only where it applies.
   std::string describe() const;
 
  protected:

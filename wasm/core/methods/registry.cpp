@@ -11,8 +11,9 @@
 namespace whittle {
 
 const std::vector<MethodInfo>& methodRegistry() {
-  static const std::vector<MethodInfo> methods = {cubicMethod(),     analogyMethod(), polycubeMethod(), developableMethod(),
-                                                  normalmapMethod(), arapMethod(),    sphericalMethod()};
+  static const std::vector<MethodInfo> methods = {cubicMethod(),       analogyMethod(),   polycubeMethod(),
+                                                  developableMethod(), normalmapMethod(), arapMethod(),
+                                                  sphericalMethod()};
   return methods;
 }
 

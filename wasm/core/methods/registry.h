@@ -13,7 +13,8 @@ const std::vector<MethodInfo>& methodRegistry();
 /// The line of a method, or nullptr.
 const MethodInfo* findMethod(const std::string& id);
 
-/// The registry as JSON, for TypeScript to hold against its descriptors: [{"id", "parameters": what `ParameterValues::describe` says}].
+/// The registry as JSON, for TypeScript to hold against its descriptors: [{"id", "parameters": what
+/// `ParameterValues::describe` says}].
 std::string describeMethods();
 
 }  // namespace whittle

@@ -14,8 +14,8 @@ struct Stage {
   Stale level;        // what is no longer stale once all stages of this level are done
   const char* doing;  // in a few words for people, e.g. "factoring the system"
   double weight;      // about how long it takes, in any unit that all stages of a preparation share
-  /// Does some of it. `done` comes as 1 and is left there by what is done in one go; otherwise it becomes the share that is done, and the
-  /// rest waits for further calls.
+  /// Does some of it. `done` comes as 1 and is left there by what is done in one go; otherwise it becomes the share
+  /// that is done, and the rest waits for further calls.
   std::function<Status(double& done)> run;
 };
 
@@ -25,19 +25,19 @@ class Plan {
   explicit Plan(Stale stale) : stale_(stale) {}
 
   /// Adds a stage if its level is stale.
-  /// @param work done in one go where it takes nothing; returns a `Status` where it can fail
+  /// @param work takes nothing where it is done in one go, and else `done`; returns a `Status` where it can fail
   template <typename Work>
   Plan& add(Stale level, const char* doing, double weight, Work work) {
     if (stale_ < level) return *this;
     stages_.push_back({level, doing, weight, [work]([[maybe_unused]] double& done) -> Status {
-                         if constexpr (std::is_invocable_v<Work, double&>) {
+                         if constexpr (std::is_invocable_r_v<Status, Work, double&>) {
                            return work(done);
-                         } else if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
-                           work();
-                           return {};
+                         } else if constexpr (std::is_invocable_v<Work, double&>) {
+                           work(done);
                          } else {
-                           return work();
+                           work();
                          }
+                         return {};
                        }});
     return *this;
   }

@@ -7,11 +7,11 @@
 
 namespace whittle {
 
-/// When a local/global iteration ends: a quantity below the tolerance, the iteration limit, or an energy that has long stopped
-/// falling. The quantity is
+/// When a local/global iteration ends: a quantity below the tolerance, the iteration limit, or an energy that has long
+/// stopped falling. The quantity is
 /// - displacement: the longest move of an iteration as a share of the largest displacement from rest (2019, §3.1);
-/// - energy: the decrease of two iterations in a row, each as a share of the energy before it (accelerated iterations that turn
-///   back decrease it little, once);
+/// - energy: the decrease of two iterations in a row, each as a share of the energy before it (accelerated iterations
+///   that turn back decrease it little, once);
 /// - iterations: none. Of an energy that changes with the output only the limit ends the run, or a shape at rest.
 class StoppingRule {
  public:
@@ -29,8 +29,8 @@ class StoppingRule {
     smallDecreases_ = 0;
   }
 
-  /// The longest move of an iteration as a share of the largest displacement, from their squares in the unit frame; 0 where the shape is at
-  /// rest.
+  /// The longest move of an iteration as a share of the largest displacement, from their squares in the unit frame; 0
+  /// where the shape is at rest.
   static double relativeDisplacement(double squaredMove, double squaredDisplacement) {
     return squaredMove <= kNoMove * kNoMove ? 0 : std::sqrt(squaredMove / squaredDisplacement);
   }
@@ -48,7 +48,9 @@ class StoppingRule {
     smallDecreases_ = smallDecrease ? smallDecreases_ + 1 : 0;
     energyBefore_ = report.energy;
     // What no longer moves is done by either measure.
-    const bool isSmall = quantity == Quantity::energy ? smallDecreases_ >= 2 : quantity == Quantity::displacement && report.change <= tolerance;
+    const bool isSmall = quantity == Quantity::energy
+                             ? smallDecreases_ >= 2
+                             : quantity == Quantity::displacement && report.change <= tolerance;
     if (isSmall || report.change == 0) return Outcome::converged;
     if (quantity != Quantity::iterations && iterations_ - lastImprovement_ >= kPatience) return Outcome::stalled;
     return exhausted() ? Outcome::iterationLimit : Outcome::running;

@@ -1,7 +1,6 @@
 #include "methods/vertex_order.h"
 
 #include "linear/elimination_tree.h"
-#include "linear/ordering.h"
 #include "mesh/adjacency.h"
 
 namespace whittle {
@@ -30,7 +29,8 @@ Graph edgeGraph(const TriangleMesh& mesh) {
 /// Triangles whose vertices have moved to other places.
 template <typename Moved>
 Triangles renumbered(Triangles triangles, const Moved& moved) {
-  for (Index corner = 0; corner < triangles.size(); ++corner) triangles.data()[corner] = moved(triangles.data()[corner]);
+  for (Index corner = 0; corner < triangles.size(); ++corner)
+    triangles.data()[corner] = moved(triangles.data()[corner]);
   return triangles;
 }
 
@@ -40,11 +40,6 @@ VertexOrder::VertexOrder(std::vector<Index> order) : vertexAt_(std::move(order))
   for (std::size_t place = 0; place < vertexAt_.size(); ++place) placeOf_[vertexAt_[place]] = static_cast<Index>(place);
 }
 
-VertexOrder VertexOrder::of(const TriangleMesh& mesh) {
-  const Graph graph = edgeGraph(mesh);
-  return VertexOrder(eliminationTree(graph, eliminationOrder(graph, &mesh.positions)).order);
-}
-
 TriangleMesh VertexOrder::ordered(const TriangleMesh& mesh) const {
   return {orderedRows(mesh.positions), renumbered(mesh.triangles, [&](Index v) { return placeOf(v); })};
 }
@@ -52,5 +47,9 @@ TriangleMesh VertexOrder::ordered(const TriangleMesh& mesh) const {
 TriangleMesh VertexOrder::asLoaded(const TriangleMesh& mesh) const {
   return {rowsAsLoaded(mesh.positions), renumbered(mesh.triangles, [&](Index place) { return vertexAt(place); })};
 }
+
+VertexOrdering::VertexOrdering(const TriangleMesh& mesh) : graph_(edgeGraph(mesh)), order_(graph_, &mesh.positions) {}
+
+VertexOrder VertexOrdering::take() { return VertexOrder(eliminationTree(graph_, order_.take()).order); }
 
 }  // namespace whittle

@@ -2,21 +2,19 @@
 
 #include <vector>
 
+#include "linear/ordering.h"
 #include "mesh/triangle_mesh.h"
 
 namespace whittle {
 
-/// The order in which the methods have the vertices: an elimination order, in which sparse factors stay sparse and what the loops read
-/// together lies together. Faces stay as they were loaded.
+/// The order in which the methods have the vertices: an elimination order, in which sparse factors stay sparse and what
+/// the loops read together lies together. Faces stay as they were loaded.
 class VertexOrder {
  public:
   /// The order in which the vertices were loaded.
   VertexOrder() = default;
   /// @param order place → vertex as loaded
   explicit VertexOrder(std::vector<Index> order);
-  /// A good order for a mesh, the same everywhere.
-  static VertexOrder of(const TriangleMesh& mesh);
-
   bool isAsLoaded() const { return vertexAt_.empty(); }
   /// The vertex, as loaded, at a place of this order.
   Index vertexAt(Index place) const { return isAsLoaded() ? place : vertexAt_[place]; }
@@ -45,6 +43,24 @@ class VertexOrder {
  private:
   std::vector<Index> vertexAt_;
   std::vector<Index> placeOf_;
+};
+
+/// The making of a good order for a mesh, the same everywhere.
+class VertexOrdering {
+ public:
+  /// @param mesh to be kept by the caller until the order is there
+  explicit VertexOrdering(const TriangleMesh& mesh);
+  /// Its parts refer to each other.
+  VertexOrdering(const VertexOrdering&) = delete;
+
+  /// Does a slice of it (`linear/slices.h`); returns the share that is done.
+  double next() { return order_.next(); }
+  /// The order, once all is done.
+  VertexOrder take();
+
+ private:
+  Graph graph_;
+  EliminationOrdering order_;
 };
 
 }  // namespace whittle

@@ -24,7 +24,8 @@ Status Session::load(TriangleMesh mesh, std::vector<Index> sourceVertices) {
 Status Session::inFileNumbers(const Status& status) const {
   if (status.ok() || status.element.kind == Element::Kind::none) return status;
   const Index index = status.element.index;
-  const bool isMapped = status.element.kind == Element::Kind::vertex && index >= 0 && index < static_cast<Index>(sourceVertices_.size());
+  const bool isMapped =
+      status.element.kind == Element::Kind::vertex && index >= 0 && index < static_cast<Index>(sourceVertices_.size());
   return status.numbered(isMapped ? sourceVertices_[index] : index);
 }
 
@@ -65,8 +66,16 @@ void Session::markStale(Stale level) {
 
 void Session::restart() { positions_ = rest_.positions; }
 
-void Session::orderVertices() {
-  vertexOrder_ = VertexOrder::of(rest_);
+void Session::orderVertices(double& done) {
+  if (!ordering_) {
+    ordering_ = std::make_unique<VertexOrdering>(rest_);
+    done = 0;
+    return;
+  }
+  done = ordering_->next();
+  if (done < 1) return;
+  vertexOrder_ = ordering_->take();
+  ordering_.reset();
   rest_ = vertexOrder_.ordered(rest_);
   positions_ = vertexOrder_.orderedRows(positions_);
   isOrderedOld_ = true;
@@ -76,8 +85,9 @@ Status Session::acceptMesh() const { return info_->acceptsMesh(vertexOrder_.asLo
 
 void Session::beginPreparing() {
   Plan plan(stale_);
-  if (info_->acceptsMesh) plan.add(Stale::all, "checking the mesh", 5, [this] { return acceptMesh(); });
-  if (vertexOrder_.isAsLoaded()) plan.add(Stale::all, "ordering the vertices", 40, [this] { orderVertices(); });
+  if (info_->acceptsMesh) plan.add(Stale::all, "checking the mesh", 5, [this](double&) { return acceptMesh(); });
+  if (vertexOrder_.isAsLoaded())
+    plan.add(Stale::all, "ordering the vertices", 40, [this](double& done) { orderVertices(done); });
   preparation_.emplace(plan.add(method_->plan(rest_, *ordered_, stale_)).stages());
 }
 

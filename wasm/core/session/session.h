@@ -13,9 +13,9 @@
 
 namespace whittle {
 
-/// One mesh, one method at a time and the positions so far: what the outside drives. Speaks the file's units and, of elements, the file's
-/// numbers; works in the unit frame, on vertices in a `VertexOrder` that the first preparation finds. Setting a value notes what it makes
-/// stale, preparing recomputes just that.
+/// One mesh, one method at a time and the positions so far: what the outside drives. Speaks the file's units and, of
+/// elements, the file's numbers; works in the unit frame, on vertices in a `VertexOrder` that the first preparation
+/// finds. Setting a value notes what it makes stale, preparing recomputes just that.
 class Session {
  public:
   Session() = default;
@@ -35,9 +35,10 @@ class Session {
   /// Back to the rest positions.
   void restart();
 
-  /// Does one stage of recomputing what is stale, or some of it; when nothing is left, starts a run from the current positions. A value
-  /// that is set in between makes stages be done again only if they read it. Fails with `numericalFailure`, or as the method refuses the
-  /// mesh or its values; the next call then begins with the stage that failed, or with one before it.
+  /// Does one stage of recomputing what is stale, or some of it; when nothing is left, starts a run from the current
+  /// positions. A value that is set in between makes stages be done again only if they read it. Fails with
+  /// `numericalFailure`, or as the method refuses the mesh or its values; the next call then begins with the stage that
+  /// failed, or with one before it.
   /// @param share how far it is, 0 to 1; 1: prepared
   Status prepareNext(double& share);
   /// Does all stages.
@@ -52,7 +53,8 @@ class Session {
   std::vector<std::string> warnings() const;
   /// The fields that the prepared method can show.
   std::vector<Field> fields() const;
-  /// Writes a field, #V or #F numbers in the order in which they were loaded. Fails with `badParameter` where there is none of this name.
+  /// Writes a field, #V or #F numbers in the order in which they were loaded. Fails with `badParameter` where there is
+  /// none of this name.
   Status copyField(const std::string& name, double* into) const;
 
   /// Writes the current positions (#V×3) in the file's frame. A vertex that has not moved has its very own bits.
@@ -66,7 +68,7 @@ class Session {
   void beginPreparing();
   Status refreshValues();
   Status acceptMesh() const;
-  void orderVertices();
+  void orderVertices(double& done);
   void markStale(Stale level);
 
   Points filePositions_;               // #V×3, as loaded
@@ -82,6 +84,7 @@ class Session {
   std::unique_ptr<ParameterValues> ordered_;  // by `vertexOrder_`: what the method sees
   bool isOrderedOld_ = true;                  // whether it is to be taken from `values_` again
   Stale stale_ = Stale::all;
+  std::unique_ptr<VertexOrdering> ordering_;  // on its way to `vertexOrder_`
   std::optional<Preparation> preparation_;
 
   Points positions_;  // in the unit frame, by `vertexOrder_`

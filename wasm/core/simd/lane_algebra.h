@@ -39,7 +39,9 @@ inline VectorLanes lanesOf(Lanes a, Lanes b, Lanes c, Lanes d) {
 }
 
 /// Four rows that follow each other.
-inline VectorLanes loadRows(const LaneRow* rows) { return lanesOf(load(rows), load(rows + 1), load(rows + 2), load(rows + 3)); }
+inline VectorLanes loadRows(const LaneRow* rows) {
+  return lanesOf(load(rows), load(rows + 1), load(rows + 2), load(rows + 3));
+}
 
 inline VectorLanes loadRows(const LaneRow* rows, const RowIndices& at) {
   return lanesOf(load(rows + at.of[0]), load(rows + at.of[1]), load(rows + at.of[2]), load(rows + at.of[3]));
@@ -62,7 +64,9 @@ inline void addToRows(LaneRow* rows, const RowIndices& at, const VectorLanes& v)
 inline VectorLanes operator+(const VectorLanes& a, const VectorLanes& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline VectorLanes operator-(const VectorLanes& a, const VectorLanes& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline VectorLanes operator*(Lanes s, const VectorLanes& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline VectorLanes keep(LaneMask mask, const VectorLanes& a) { return {keep(mask, a.x), keep(mask, a.y), keep(mask, a.z)}; }
+inline VectorLanes keep(LaneMask mask, const VectorLanes& a) {
+  return {keep(mask, a.x), keep(mask, a.y), keep(mask, a.z)};
+}
 
 inline VectorLanes select(LaneMask mask, const VectorLanes& yes, const VectorLanes& no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
@@ -113,13 +117,15 @@ inline MatrixLanes operator*(const MatrixLanes& A, const MatrixLanes& B) {
 }
 
 inline VectorLanes operator*(const SymmetricLanes& A, const VectorLanes& v) {
-  return {A.xx * v.x + A.xy * v.y + A.xz * v.z, A.xy * v.x + A.yy * v.y + A.yz * v.z, A.xz * v.x + A.yz * v.y + A.zz * v.z};
+  return {A.xx * v.x + A.xy * v.y + A.xz * v.z, A.xy * v.x + A.yy * v.y + A.yz * v.z,
+          A.xz * v.x + A.yz * v.y + A.zz * v.z};
 }
 
 /// A + s v vᵀ
 inline SymmetricLanes plusOuter(const SymmetricLanes& A, Lanes s, const VectorLanes& v) {
   const VectorLanes sv = s * v;
-  return {A.xx + sv.x * v.x, A.xy + sv.x * v.y, A.xz + sv.x * v.z, A.yy + sv.y * v.y, A.yz + sv.y * v.z, A.zz + sv.z * v.z};
+  return {A.xx + sv.x * v.x, A.xy + sv.x * v.y, A.xz + sv.x * v.z,
+          A.yy + sv.y * v.y, A.yz + sv.y * v.z, A.zz + sv.z * v.z};
 }
 
 /// R − I, exactly zero for the identity.
@@ -141,9 +147,11 @@ inline QuaternionLanes normalized(const QuaternionLanes& q) {
   return {s * q.w, s * q.x, s * q.y, s * q.z};
 }
 
-/// About where rotations will be that go on turning as they turned from `before` to `now`. Of quaternions with opposite signs, `now`.
+/// About where rotations will be that go on turning as they turned from `before` to `now`. Of quaternions with opposite
+/// signs, `now`.
 inline QuaternionLanes continued(const QuaternionLanes& now, const QuaternionLanes& before) {
-  return normalized({now.w + (now.w - before.w), now.x + (now.x - before.x), now.y + (now.y - before.y), now.z + (now.z - before.z)});
+  return normalized(
+      {now.w + (now.w - before.w), now.x + (now.x - before.x), now.y + (now.y - before.y), now.z + (now.z - before.z)});
 }
 
 inline QuaternionLanes inverse(const QuaternionLanes& q) { return {q.w, -q.x, -q.y, -q.z}; }
@@ -154,17 +162,16 @@ inline QuaternionLanes operator*(const QuaternionLanes& a, const QuaternionLanes
           a.w * b.y + a.y * b.w + (a.z * b.x - a.x * b.z), a.w * b.z + a.z * b.w + (a.x * b.y - a.y * b.x)};
 }
 
-/// q turned by a small w: (1 + w/2) q, whose length is 1 but for |w|²/8. Up to 1e-4 radians single precision does not see that.
+/// q turned by a small w: (1 + w/2) q, whose length is 1 but for |w|²/8. Up to 1e-4 radians single precision does not
+/// see that.
 inline QuaternionLanes nudged(const QuaternionLanes& q, const VectorLanes& w) {
   const VectorLanes h = splat(0.5f) * w;
-  return {q.w - (h.x * q.x + h.y * q.y + h.z * q.z), q.x + h.x * q.w + (h.y * q.z - h.z * q.y), q.y + h.y * q.w + (h.z * q.x - h.x * q.z),
-          q.z + h.z * q.w + (h.x * q.y - h.y * q.x)};
+  return {q.w - (h.x * q.x + h.y * q.y + h.z * q.z), q.x + h.x * q.w + (h.y * q.z - h.z * q.y),
+          q.y + h.y * q.w + (h.z * q.x - h.x * q.z), q.z + h.z * q.w + (h.x * q.y - h.y * q.x)};
 }
 
 /// The rotation by 2 atan(|w|/2) about w after q: the Cayley transform of w, equal to exp([w]×) to third order.
-inline QuaternionLanes turned(const QuaternionLanes& q, const VectorLanes& w) {
-  return normalized(nudged(q, w));
-}
+inline QuaternionLanes turned(const QuaternionLanes& q, const VectorLanes& w) { return normalized(nudged(q, w)); }
 
 inline Lanes trace(const MatrixLanes& A) { return A.m[0][0] + A.m[1][1] + A.m[2][2]; }
 

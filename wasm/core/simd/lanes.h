@@ -13,8 +13,9 @@
 
 namespace whittle {
 
-/// Four lanes in single precision: what SSE, NEON and wasm SIMD have. Kernels are written in them because no compiler finds
-/// these vectorizations by itself, and because the same operations in the same order give the same bits everywhere.
+/// Four lanes in single precision: what SSE, NEON and wasm SIMD have. Kernels are written in them because no compiler
+/// finds these vectorizations by itself, and because the same operations in the same order give the same bits
+/// everywhere.
 typedef float Lanes __attribute__((vector_size(16)));
 /// The same in double precision, for what single precision would cancel away.
 typedef double DoubleLanes __attribute__((vector_size(32)));
@@ -54,7 +55,9 @@ inline std::size_t batchCount(std::int32_t elements) { return (static_cast<std::
 inline Lanes toSingle(DoubleLanes v) { return __builtin_convertvector(v, Lanes); }
 inline DoubleLanes toDouble(Lanes v) { return __builtin_convertvector(v, DoubleLanes); }
 
-inline Lanes select(LaneMask mask, Lanes yes, Lanes no) { return (Lanes)(((LaneMask)yes & mask) | ((LaneMask)no & ~mask)); }
+inline Lanes select(LaneMask mask, Lanes yes, Lanes no) {
+  return (Lanes)(((LaneMask)yes & mask) | ((LaneMask)no & ~mask));
+}
 
 inline LaneMask select(LaneMask mask, LaneMask yes, LaneMask no) { return (yes & mask) | (no & ~mask); }
 
@@ -101,8 +104,8 @@ inline bool all(LaneMask mask) { return !any(~mask); }
 
 inline double sumOf(DoubleLanes v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
-/// a0 b0 a1 b1 and a2 b2 a3 b3; a0 a1 b0 b1 and a2 a3 b2 b3. As shuffles that the compiler does not see through: it would melt
-/// several into one that no machine has, and the browser then makes a dozen instructions of it.
+/// a0 b0 a1 b1 and a2 b2 a3 b3; a0 a1 b0 b1 and a2 a3 b2 b3. As shuffles that the compiler does not see through: it
+/// would melt several into one that no machine has, and the browser then makes a dozen instructions of it.
 #if defined(__wasm_simd128__)
 inline Lanes interleaveLow(Lanes a, Lanes b) { return (Lanes)wasm_i32x4_shuffle((v128_t)a, (v128_t)b, 0, 4, 1, 5); }
 inline Lanes interleaveHigh(Lanes a, Lanes b) { return (Lanes)wasm_i32x4_shuffle((v128_t)a, (v128_t)b, 2, 6, 3, 7); }

@@ -28,7 +28,8 @@ constexpr double kRounding = 1e-9;
 
 }  // namespace
 
-DirectionGrid::DirectionGrid(int side) : side_(side), middles_(cellCount()), radii_(cellCount()), start_(cellCount() + 1, 0) {
+DirectionGrid::DirectionGrid(int side)
+    : side_(side), middles_(cellCount()), radii_(cellCount()), start_(cellCount() + 1, 0) {
   for (int cell = 0; cell < cellCount(); ++cell) {
     const int face = cell / (side_ * side_), row = cell / side_ % side_, column = cell % side_;
     middles_[cell] = pointAt(face, column + 0.5, row + 0.5);
@@ -51,7 +52,9 @@ Vec3 DirectionGrid::pointAt(int face, double u, double v) const {
 int DirectionGrid::cellOf(const Vec3& n) const {
   const int face = faceOf(n), axis = face / 2;
   const double scale = 0.5 * side_ / heightOver(face, n);
-  const auto place = [&](double coordinate) { return std::clamp(static_cast<int>(scale * coordinate + 0.5 * side_), 0, side_ - 1); };
+  const auto place = [&](double coordinate) {
+    return std::clamp(static_cast<int>(scale * coordinate + 0.5 * side_), 0, side_ - 1);
+  };
   return (face * side_ + place(n[(axis + 2) % 3])) * side_ + place(n[(axis + 1) % 3]);
 }
 

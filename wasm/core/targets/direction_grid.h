@@ -21,7 +21,8 @@ class DirectionGrid {
   /// Angle from there to its furthest corner, radians.
   double radius(int cell) const { return radii_[cell]; }
 
-  /// Adds to `cells` all that a triangle of three unit vectors can reach (its central projection), and a few more at most.
+  /// Adds to `cells` all that a triangle of three unit vectors can reach (its central projection), and a few more at
+  /// most.
   void cellsOf(const Mat3& corners, std::vector<int>& cells) const;
 
   /// Fixes the candidates of all cells. @param pairs cell and candidate, in the order in which they are to be tried

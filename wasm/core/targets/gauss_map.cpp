@@ -38,9 +38,11 @@ bool operator==(const GaussMapData& a, const GaussMapData& b) {
 
 Status validateGaussMap(const GaussMapData& data) {
   if (data.normals.rows() == 0) return refused("has no normals");
-  if (const Index r = badDirection(data.normals); r >= 0) return refused("has no direction at normal {}", Element::item(r));
+  if (const Index r = badDirection(data.normals); r >= 0)
+    return refused("has no direction at normal {}", Element::item(r));
   if (data.kind == GaussMapData::Kind::closest) return {};
-  if (const Index r = badDirection(data.points); r >= 0) return refused("has no direction at point {}", Element::item(r));
+  if (const Index r = badDirection(data.points); r >= 0)
+    return refused("has no direction at point {}", Element::item(r));
   if (data.triangles.rows() == 0) return refused("has no triangles");
   if (data.triangles.minCoeff() < 0 || data.triangles.maxCoeff() >= data.points.rows()) {
     return refused("has a triangle that uses a point which is not there");
@@ -50,7 +52,8 @@ Status validateGaussMap(const GaussMapData& data) {
   return refused(perVertex ? "must have a normal for each point" : "must have a normal for each triangle");
 }
 
-GaussMap::GaussMap(GaussMapData data) : data_(std::move(data)), normals_(unitRows(data_.normals)), points_(unitRows(data_.points)) {
+GaussMap::GaussMap(GaussMapData data)
+    : data_(std::move(data)), normals_(unitRows(data_.normals)), points_(unitRows(data_.points)) {
   if (data_.kind == GaussMapData::Kind::closest) {
     collectClosest();
   } else {
@@ -85,7 +88,8 @@ void GaussMap::collectTriangles() {
   for (Index f = 0; f < count; ++f) {
     Mat3 corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = points_.row(data_.triangles(f, k)).transpose();
-    for (int k = 0; k < 3; ++k) planes_[f].row(k) = corners.col((k + 1) % 3).cross(corners.col((k + 2) % 3)).transpose();
+    for (int k = 0; k < 3; ++k)
+      planes_[f].row(k) = corners.col((k + 1) % 3).cross(corners.col((k + 2) % 3)).transpose();
     middles.row(f) = corners.rowwise().sum().stableNormalized().transpose();
     // One without area holds no direction of its own.
     if ((corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).norm() < 1e-14) continue;

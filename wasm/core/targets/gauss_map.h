@@ -8,13 +8,13 @@ namespace whittle {
 /// A style as data (2021, §3.1): which normal the output is to have where the input has a given one.
 struct GaussMapData {
   enum class Kind {
-    closest,    // the nearest of `normals` (#N×3), the faces of a convex shape
-    perVertex,  // `points` (#V×3) and `triangles` are a style on the sphere; a normal for each point, interpolated between
-    perFace,    // a normal for each triangle, for faceted styles
+    closest,  // the nearest of `normals` (#N×3), the faces of a convex shape
+    perVertex,  // `points` (#V×3) and `triangles` are a style on the sphere; a normal for each point, interpolated
+    perFace,  // a normal for each triangle, for faceted styles
   };
   Kind kind = Kind::closest;
   Points normals = Points(0, 3);
-  Points points = Points(0, 3);            // of any length but zero; they stand for directions
+  Points points = Points(0, 3);           // of any length but zero; they stand for directions
   Triangles triangles = Triangles(0, 3);  // counter-clockwise from outside
 };
 
@@ -31,8 +31,8 @@ class GaussMap {
 
   const GaussMapData& data() const { return data_; }
 
-  /// The target of a normal of any length, a unit vector; zero for zero. Where triangles leave gaps, that of the nearest one. Allocates
-  /// nothing.
+  /// The target of a normal of any length, a unit vector; zero for zero. Where triangles leave gaps, that of the
+  /// nearest one. Allocates nothing.
   Vec3 operator()(const Vec3& n) const;
 
  private:

@@ -20,7 +20,8 @@ struct Spread {
   double handedness = 1;       // −1 if it lies there mirrored
 };
 
-/// Twice the area of a face in the texture, negative if mirrored; zero where it has none to speak of, or coordinates are missing.
+/// Twice the area of a face in the texture, negative if mirrored; zero where it has none to speak of, or coordinates
+/// are missing.
 double spreadArea(const TextureSlopes& texture, Index f) {
   const Pair first = texture.uvs.row(3 * f).transpose().cast<double>();
   const Pair toSecond = texture.uvs.row(3 * f + 1).transpose().cast<double>() - first;
@@ -38,7 +39,8 @@ Spread spreadOf(const TriangleMesh& mesh, const TextureSlopes& texture, Index f)
   return {sign * ((v(2) - v(0)) * (corner(1) - corner(0)) - (v(1) - v(0)) * (corner(2) - corner(0))), sign};
 }
 
-/// The normal of a surface with this slope, in the frame that a face's texture makes about a normal; zero where it makes none.
+/// The normal of a surface with this slope, in the frame that a face's texture makes about a normal; zero where it
+/// makes none.
 Vec3 raised(const Vec3& normal, const Spread& spread, const Pair& slope) {
   Vec3 x = spread.alongU - spread.alongU.dot(normal) * normal;
   const double length = x.norm();
@@ -48,7 +50,9 @@ Vec3 raised(const Vec3& normal, const Spread& spread, const Pair& slope) {
   return (normal - slope.x() * x - slope.y() * y).normalized();
 }
 
-Pair slopeAt(const TextureSlopes& texture, Index corner) { return texture.slopes.row(corner).transpose().cast<double>(); }
+Pair slopeAt(const TextureSlopes& texture, Index corner) {
+  return texture.slopes.row(corner).transpose().cast<double>();
+}
 
 }  // namespace
 
@@ -60,19 +64,22 @@ bool operator==(const TextureSlopes& a, const TextureSlopes& b) {
 
 Status validateTextureSlopes(const TextureSlopes& texture, Index faceCount) {
   if (texture.uvs.rows() != 3 * faceCount || texture.slopes.rows() != 3 * faceCount) {
-    return Status::failure(Code::badParameter, "the texture must have coordinates and a slope for each corner of the mesh’s " +
-                                                   std::to_string(faceCount) + " faces");
+    return Status::failure(Code::badParameter,
+                           "the texture must have coordinates and a slope for each corner of the mesh’s " +
+                               std::to_string(faceCount) + " faces");
   }
   if (!texture.slopes.allFinite()) return Status::failure(Code::badParameter, "a slope of the texture is not finite");
   for (Index f = 0; f < faceCount; ++f) {
     if (spreadArea(texture, f) != 0) return {};
   }
-  return Status::failure(Code::unsuitableMesh,
-                         "the texture coordinates of all faces are single points or lines, so no picture can lie on them; unwrap the "
-                         "mesh and export it again");
+  return Status::failure(
+      Code::unsuitableMesh,
+      "the texture coordinates of all faces are single points or lines, so no picture can lie on them; unwrap the "
+      "mesh and export it again");
 }
 
-Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, const TextureSlopes& texture, double strength) {
+Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, const TextureSlopes& texture,
+                           double strength) {
   const Scalars areas = faceAreas(mesh.positions, mesh.triangles);
   Points sums = Points::Zero(normals.rows(), 3);
   std::vector<bool> isRaised(static_cast<std::size_t>(normals.rows()), false);
@@ -93,7 +100,8 @@ Points raisedVertexNormals(const TriangleMesh& mesh, const Points& normals, cons
   return sums;
 }
 
-Points raisedFaceNormals(const TriangleMesh& mesh, const Points& normals, const TextureSlopes& texture, double strength) {
+Points raisedFaceNormals(const TriangleMesh& mesh, const Points& normals, const TextureSlopes& texture,
+                         double strength) {
   Points targets = normals;
   for (Index f = 0; f < mesh.faceCount(); ++f) {
     const Pair sum = slopeAt(texture, 3 * f) + slopeAt(texture, 3 * f + 1) + slopeAt(texture, 3 * f + 2);

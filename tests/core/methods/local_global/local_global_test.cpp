@@ -66,7 +66,8 @@ double angleToAxes(const Points& positions, const Triangles& triangles) {
 
 /// But for single precision, of the energy and of the terms that cancel in it (about 1 in the unit frame).
 void requireMonotone(const std::vector<double>& energies) {
-  for (std::size_t k = 1; k < energies.size(); ++k) REQUIRE(energies[k] <= energies[k - 1] + 3e-8 * (std::abs(energies[0]) + 1));
+  for (std::size_t k = 1; k < energies.size(); ++k)
+    REQUIRE(energies[k] <= energies[k - 1] + 3e-8 * (std::abs(energies[0]) + 1));
 }
 
 double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().norm().maxCoeff(); }
@@ -82,7 +83,8 @@ Handles handlesAt(const TriangleMesh& mesh, const std::vector<Index>& vertices, 
 }  // namespace
 
 TEST_CASE("without handles and without cubeness the input comes back") {
-  for (const TriangleMesh& mesh : {bent(sphere(3)), bent(grid(8)), moebiusStrip(24), together(sphere(2), grid(5), {3, 1, 0})}) {
+  for (const TriangleMesh& mesh :
+       {bent(sphere(3)), bent(grid(8)), moebiusStrip(24), together(sphere(2), grid(5), {3, 1, 0})}) {
     for (const Setup& setup : {Setup{"arap"}, Setup{"cubic", 0}}) {
       const Run result = run(mesh, setup);
       CHECK(result.outcome == Outcome::converged);
@@ -180,7 +182,8 @@ TEST_CASE("every part keeps its centre, and none feels the other") {
   };
   CHECK((centroid(result.positions.topRows(a.vertexCount()), a) - centroid(a.positions, a)).norm() < 4e-9);
   const TriangleMesh moved{b.positions.rowwise() + Eigen::RowVector3d(10, -4, 2), b.triangles};
-  CHECK((centroid(result.positions.bottomRows(b.vertexCount()), moved) - centroid(moved.positions, moved)).norm() < 4e-9);
+  CHECK((centroid(result.positions.bottomRows(b.vertexCount()), moved) - centroid(moved.positions, moved)).norm() <
+        4e-9);
 }
 
 TEST_CASE("vertices without a face stay to the bit") {

@@ -19,7 +19,8 @@ namespace {
 GaussMapData prismStyle() {
   GaussMapData data;
   data.normals.resize(8, 3);
-  for (int side = 0; side < 6; ++side) data.normals.row(side) << std::cos(side * EIGEN_PI / 3), 0, std::sin(side * EIGEN_PI / 3);
+  for (int side = 0; side < 6; ++side)
+    data.normals.row(side) << std::cos(side * EIGEN_PI / 3), 0, std::sin(side * EIGEN_PI / 3);
   data.normals.bottomRows<2>() << 0, 1, 0, 0, -1, 0;
   return data;
 }
@@ -76,7 +77,8 @@ TEST_CASE("an animal becomes a polycube without folds") {
     const double now = angleToStyle(result.positions, mesh.triangles, GaussMap(cubeStyle()));
     const double volume = volumeInside(result.positions, mesh.triangles) / volumeInside(mesh.positions, mesh.triangles);
     const double within = shareWithin(10, cubeStyle().normals, result.positions, mesh.triangles);
-    MESSAGE("smoothing " << smoothing << ": " << angle << "° before, " << now << "° after, " << within << " within 10°, volume " << volume);
+    MESSAGE("smoothing " << smoothing << ": " << angle << "° before, " << now << "° after, " << within
+                         << " within 10°, volume " << volume);
     CHECK(now < 2);
     CHECK(within > 0.97);
     CHECK(foldCount(result.positions, mesh.triangles) == 0);
@@ -132,7 +134,9 @@ TEST_CASE("each part keeps its centre, and what has no normal its place") {
   const Points result = carve(mesh, Boxed()).positions;
   CHECK(result.allFinite());
   CHECK(result.row(count) == mesh.positions.row(count));
-  const auto middle = [&](const Points& positions) -> Vec3 { return positions.middleRows(one.vertexCount(), two.vertexCount()).colwise().mean(); };
+  const auto middle = [&](const Points& positions) -> Vec3 {
+    return positions.middleRows(one.vertexCount(), two.vertexCount()).colwise().mean();
+  };
   CHECK((middle(result) - middle(mesh.positions)).norm() < 0.05);
   CHECK(largestMove(result, mesh.positions) > 0.1);
 }
@@ -147,7 +151,8 @@ TEST_CASE("smoothing moves what became bad towards the mean of its ring") {
   RingSmoothing smoothing;
   smoothing.prepare(rest.positions, rest.triangles);
   smoothing.smooth(0.2, rest.triangles, positions);
-  CHECK((positions.row(inner) - before.row(inner) - 0.2 * (rest.positions.row(inner) - before.row(inner))).norm() < 1e-12);
+  CHECK((positions.row(inner) - before.row(inner) - 0.2 * (rest.positions.row(inner) - before.row(inner))).norm() <
+        1e-12);
   CHECK(positions.row(rim) == before.row(rim));
   CHECK(positions.row(6) == before.row(6));
 

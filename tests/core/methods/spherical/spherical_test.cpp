@@ -190,8 +190,9 @@ TEST_CASE("what cannot become a sphere is refused in words") {
   for (const auto& [words, mesh] :
        {Refusal{"genus 1", torus(12)}, Refusal{"open along 36 edges", grid(10)}, Refusal{"open along 3 edges", pricked},
         Refusal{"2 separate parts", together(sphere(2), sphere(2), {3, 0, 0})}, Refusal{"three faces or more", doubled},
-        Refusal{"disagree about the outside along 3 edges", turned}, Refusal{"at vertex 0 separate sheets touch", touching},
-        Refusal{"have no area", flat}, Refusal{"open along", moebiusStrip(24)}}) {
+        Refusal{"disagree about the outside along 3 edges", turned},
+        Refusal{"at vertex 0 separate sheets touch", touching}, Refusal{"have no area", flat},
+        Refusal{"open along", moebiusStrip(24)}}) {
     const Status status = prepared(mesh);
     CHECK(status.code == Code::unsuitableMesh);
     CHECK_MESSAGE(status.message.find(words) != std::string::npos, status.message);

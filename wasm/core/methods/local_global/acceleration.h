@@ -4,13 +4,13 @@
 
 namespace whittle {
 
-/// Where each local/global iteration starts from. The iteration is a map G that never raises the energy; from a point y_k
-/// it gives the iterate x_{k+1} = G(y_k), and the next starts from
+/// Where each local/global iteration starts from. The iteration is a map G that never raises the energy; from a point
+/// y_k it gives the iterate x_{k+1} = G(y_k), and the next starts from
 /// - nesterov: y = x_{k+1} + β_k (x_{k+1} − x_k), Nesterov's sequence of β, begun again whenever a step is rejected;
 /// - relaxed:  y = y_k + 1.8 (x_{k+1} − y_k), which cannot raise a quadratic energy (below 2);
 /// - none:     y = x_{k+1}, the alternation of the papers.
-/// The caller rejects a y whose energy lies above that of the point before and starts from x_{k+1} instead, which cannot
-/// rise. All y are affine combinations of iterates: held vertices and centroids stay.
+/// The caller rejects a y whose energy lies above that of the point before and starts from x_{k+1} instead, which
+/// cannot rise. All y are affine combinations of iterates: held vertices and centroids stay.
 class Acceleration {
  public:
   enum class Kind { nesterov, relaxed, none };

@@ -14,7 +14,9 @@ struct ArapParameters {
 class ArapLocalStep : public LocalStep {
  public:
   using Parameters = ArapParameters;
-  static EngineValues engineValues(const ArapParameters& values) { return {values.regularizer, values.handles, values.solver}; }
+  static EngineValues engineValues(const ArapParameters& values) {
+    return {values.regularizer, values.handles, values.solver};
+  }
   static Status check(const ArapParameters&) { return {}; }
   static std::vector<std::string> warnings(const ArapParameters& values);
 

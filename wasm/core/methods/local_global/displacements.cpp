@@ -23,7 +23,9 @@ void Displacements::combine(const Displacements& a, double s, const Displacement
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     store(&rows_[i], load(&a.rows_[i]) + share * (load(&b.rows_[i]) - load(&c.rows_[i])));
   }
-  setExact([&](Index place, Index) -> Eigen::RowVector3d { return a.exact_.row(place) + s * (b.exact_.row(place) - c.exact_.row(place)); });
+  setExact([&](Index place, Index) -> Eigen::RowVector3d {
+    return a.exact_.row(place) + s * (b.exact_.row(place) - c.exact_.row(place));
+  });
 }
 
 }  // namespace whittle

@@ -4,8 +4,8 @@
 
 namespace whittle {
 
-/// How far the vertices are from rest, δ = V − V₀: rows in single precision, and in double precision those of the vertices of stiff
-/// edges, of which the rows are the rounding.
+/// How far the vertices are from rest, δ = V − V₀: rows in single precision, and in double precision those of the
+/// vertices of stiff edges, of which the rows are the rounding.
 class Displacements {
  public:
   /// Claims memory, all of it zero. @param stiff is referred to, not copied

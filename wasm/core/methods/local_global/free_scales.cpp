@@ -19,7 +19,8 @@ void FreeScales::prepare(const EdgeSet& edges, const Scalars& targetWeights) {
   }
 }
 
-Lanes FreeScales::fit(std::size_t batch, Lanes alignmentGains, const MatrixLanes& covariances, MatrixLanes& rotationChanges) {
+Lanes FreeScales::fit(std::size_t batch, Lanes alignmentGains, const MatrixLanes& covariances,
+                      MatrixLanes& rotationChanges) {
   const Lanes weight = weights_[batch];
   const Lanes excess = alignmentGains + trace(covariances) - 2 * targetWeights_[batch];  // tr(R M) − 2 w
   // What has no extent has no scale.

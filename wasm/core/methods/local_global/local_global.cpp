@@ -22,10 +22,11 @@ constexpr Index kBlock = 64;
 std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<EngineValues()> values,
                                      std::function<void(const RestShape& rest)> prepareStep, Stale stale) {
   return Plan(stale)
-      .add(Stale::all, "measuring the mesh", 4, [this, &rest] { measure(rest); })
-      .add(Stale::all, "collecting the edges", 8, [this, values] { collectEdges(values().rigidity); })
-      .add(Stale::system, "factoring the system", 60, [this, values] { return prepareSystem(values().handles); })
-      .add(Stale::weights, "preparing the local step", 4,
+      .add(Stale::all, "measuring the mesh", 3, [this, &rest] { measure(rest); })
+      .add(Stale::all, "collecting the edges", 12, [this, values] { collectEdges(values().rigidity); })
+      .add(Stale::system, "assembling the system", 4, [this, values] { assembleSystem(values().handles); })
+      .add(Stale::system, "factoring the system", 80, [this](double& done) { return system_.prepareNext(done); })
+      .add(Stale::weights, "preparing the local step", 2,
            [this, prepareStep] {
              prepareStep(*rest_);
              if (scales_) scales_->prepare(*edges_, localStep_.targetWeights());
@@ -43,7 +44,8 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
 }
 
 void LocalGlobal::measure(const TriangleMesh& rest) {
-  rest_.emplace(RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
+  rest_.emplace(
+      RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
 }
@@ -59,7 +61,8 @@ void LocalGlobal::collectEdges(Rigidity rigidity) {
 
 void LocalGlobal::claimRunningState() {
   const Index vertexCount = rest_->mesh.vertexCount();
-  for (auto* rotations : {&guess_, &rotations_}) rotations->assign(batchCount(edges_->elementCount()), identityRotations());
+  for (auto* rotations : {&guess_, &rotations_})
+    rotations->assign(batchCount(edges_->elementCount()), identityRotations());
   covariances_.resize(batchCount(kBlock));
   rotationChanges_.resize(batchCount(kBlock));
   residual_.assign(ConstrainedQuadratic::paddedRows(vertexCount), {});
@@ -68,12 +71,13 @@ void LocalGlobal::claimRunningState() {
   isClaimed_ = true;
 }
 
-Status LocalGlobal::prepareSystem(const Handles& handles) {
+void LocalGlobal::assembleSystem(const Handles& handles) {
   gauge_.emplace(components_, handles.vertices, rest_->mesh.positions, rest_->areas);
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  return system_.prepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), held, {.isOrdered = true});
+  system_.beginPrepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), std::move(held),
+                       {.isOrdered = true});
 }
 
 void LocalGlobal::begin(Points& positions) {
@@ -104,7 +108,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
     report.energy = localStep(displacements_, Guess::last);
   }
   // Not from an exact local step, but ADMM stops within its tolerance and, for strong regularizers, at local maxima.
-  if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_)) report.energy = localStep(displacements_, Guess::bound);
+  if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_))
+    report.energy = localStep(displacements_, Guess::bound);
   energy_ = report.energy;
   std::swap(previous_, displacements_);
   report.change = std::isfinite(report.energy) ? globalStep(positions) : std::numeric_limits<double>::quiet_NaN();
@@ -119,7 +124,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 
 double LocalGlobal::localStep(const Displacements& displacements, Guess guess) {
   std::fill(residual_.begin(), residual_.end(), LaneRow{});
-  double energy = localStep_.targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
+  double energy =
+      localStep_.targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
   const Index count = edges_->elementCount();
   for (Index first = 0; first < count; first += kBlock) {
     const ElementRange block{first, std::min(first + kBlock, count)};

@@ -23,9 +23,10 @@ struct EngineValues {
   SolverParameters solver;
 };
 
-/// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating between the rotations R (local step, the policy)
-/// and the positions (global step, one Poisson solve with handles eliminated and each loose part held by its gauge). The
-/// energy of the points that iterations start from never rises, accelerated or not.
+/// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating
+/// between the rotations R (local step, the policy) and the positions (global step, one Poisson solve with handles
+/// eliminated and each loose part held by its gauge). The energy of the points that iterations start from never rises,
+/// accelerated or not.
 class LocalGlobal {
  public:
   /// @param localStep the policy; outlives the engine
@@ -43,21 +44,23 @@ class LocalGlobal {
   void measure(const TriangleMesh& rest);
   void collectEdges(Rigidity rigidity);
   void claimRunningState();
-  Status prepareSystem(const Handles& handles);
+  void assembleSystem(const Handles& handles);
   /// Where the rotations of a local step start from.
   enum class Guess {
-    continued,  // they go on as they last turned, which leaves the fit about half as many steps; only of an iteration's first local step
-    last,       // those of the iteration before
-    bound,      // the same, and none may get worse than it was
+    continued,  // where they would go on to as they last turned: about half as many steps; for an iteration's first only
+    last,       // the rotations of the iteration before
+    bound,      // the rotations of the iteration before, and none may get worse than it was
   };
 
   /// Fits the rotations to the displacements and leaves the residual of the global step; returns the energy.
   double localStep(const Displacements& displacements, Guess guess);
-  /// Fits the rotations of elements whose covariances are there and leaves their rotation changes; returns what these change in the energy.
+  /// Fits the rotations of elements whose covariances are there and leaves their rotation changes; returns what these
+  /// change in the energy.
   double fitBlock(ElementRange block, Guess guess);
-  /// Moves the displacements from where the iteration started to the minimum for the rotations and writes the positions. Returns the
-  /// longest move of a vertex as a share of the largest displacement, or not a number where one is not. Of an accelerated iteration both
-  /// moves must be short: from where it started, which is what the plain one would report there, and from the iterate before.
+  /// Moves the displacements from where the iteration started to the minimum for the rotations and writes the
+  /// positions. Returns the longest move of a vertex as a share of the largest displacement, or not a number where one
+  /// is not. Of an accelerated iteration both moves must be short: from where it started, which is what the plain one
+  /// would report there, and from the iterate before.
   double globalStep(Points& positions);
 
   LocalStep& localStep_;
@@ -76,16 +79,17 @@ class LocalGlobal {
   std::optional<Gauge> gauge_;
   ConstrainedQuadratic system_;
 
-  // Running state, claimed by the first run on a rest shape: the memory of the factorization, which is the peak, is free by then
+  // Running state, claimed by the first run on a rest shape: the memory of the factorization, which is the peak, is
+  // free by then
   bool isClaimed_ = false;
   std::vector<QuaternionLanes> guess_;  // rotations of the iteration before, which made the present positions
   std::vector<QuaternionLanes> rotations_;
-  std::optional<FreeScales> scales_;       // where the policy frees them
-  std::vector<MatrixLanes> covariances_;   // of one block
+  std::optional<FreeScales> scales_;          // where the policy frees them
+  std::vector<MatrixLanes> covariances_;      // of one block
   std::vector<MatrixLanes> rotationChanges_;  // of one block
-  LaneRows residual_;                      // b − L V; then the corrections
-  Displacements displacements_;            // of the iterate
-  Displacements previous_;                 // of the iterate before
+  LaneRows residual_;                         // b − L V; then the corrections
+  Displacements displacements_;               // of the iterate
+  Displacements previous_;                    // of the iterate before
   Acceleration acceleration_;
   double energy_ = 0;  // of the point that the last iteration started from
 };

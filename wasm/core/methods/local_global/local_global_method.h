@@ -9,7 +9,7 @@ namespace whittle {
 /// A local step with a struct of parameters of its own.
 template <typename Step>
 concept LocalStepPolicy = std::derived_from<Step, LocalStep> &&
-                          requires(Step step, const RestShape& rest, const typename Step::Parameters& values) {
+    requires(Step step, const RestShape& rest, const typename Step::Parameters& values) {
   /// What the engine needs of the values.
   { Step::engineValues(values) } -> std::same_as<EngineValues>;
   /// Refuses values that do not go together.
@@ -28,8 +28,9 @@ class LocalGlobalMethod final : public MethodOf<typename Step::Parameters> {
 
   Status check(const Parameters& values) const override { return Step::check(values); }
   std::vector<Stage> plan(const TriangleMesh& rest, const Parameters& values, Stale stale) override {
-    return engine_.plan(rest, [&values] { return Step::engineValues(values); },
-                        [this, &values](const RestShape& shape) { step_.prepare(shape, values); }, stale);
+    return engine_.plan(
+        rest, [&values] { return Step::engineValues(values); },
+        [this, &values](const RestShape& shape) { step_.prepare(shape, values); }, stale);
   }
   void begin(Points& positions) override { engine_.begin(positions); }
   Status step(Points& positions, StepReport& report) override { return engine_.step(positions, report); }

@@ -6,7 +6,8 @@ ParameterList<SolverParameters> solverParameters() {
   using P = SolverParameters;
   using Kind = Acceleration::Kind;
   using Quantity = StoppingRule::Quantity;
-  const ChoiceKind<Kind> accelerations{{{"nesterov", Kind::nesterov}, {"relaxed", Kind::relaxed}, {"none", Kind::none}}};
+  const ChoiceKind<Kind> accelerations{
+      {{"nesterov", Kind::nesterov}, {"relaxed", Kind::relaxed}, {"none", Kind::none}}};
   const ChoiceKind<Quantity> quantities{{{"displacement", Quantity::displacement}, {"energy", Quantity::energy}}};
   return {bind("acceleration", &P::acceleration, Stale::targets, accelerations),
           bind("stopOn", &P::stopOn, Stale::targets, quantities),

@@ -39,8 +39,10 @@ Status PolyCube::check(const PolyCubeParameters& values) const {
 
 std::vector<Stage> PolyCube::plan(const TriangleMesh& rest, const PolyCubeParameters& values, Stale stale) {
   return Plan(stale)
-      .add(Stale::all, "measuring the mesh", 8, [this, &rest] { measure(rest); })
-      .add(Stale::all, "factoring the system", 60, [this] { return prepareSystem(); })
+      .add(Stale::all, "measuring the mesh", 10, [this, &rest] { measure(rest); })
+      .add(Stale::all, "analyzing the system", 7, [this](double& done) { analyzeSystem(done); })
+      // Claims what the steps work in.
+      .add(Stale::all, "factoring the system", 65, [this](double& done) { return cholesky_.factorizeNext(done); })
       .add(Stale::targets, "taking the settings", 1,
            [this, &values] {
              values_ = values;
@@ -59,12 +61,13 @@ void PolyCube::measure(const TriangleMesh& rest) {
   ringSmoothing_.prepare(rest.positions, rest.triangles);
   moves_.resize(rest.vertexCount(), 3);
   previous_ = rest.positions;
+  laplacian_->fill(halfCotangents_);
+  cholesky_.beginAnalyze(laplacian_->lower(), {.isOrdered = true});
 }
 
-Status PolyCube::prepareSystem() {
-  const SparseMatrix& L = laplacian_->fill(halfCotangents_);
-  cholesky_.analyze(L, {.isOrdered = true});
-  return cholesky_.factorize(L, true);  // claims what the steps work in
+void PolyCube::analyzeSystem(double& done) {
+  done = cholesky_.analyzeNext();
+  if (done == 1) cholesky_.beginFactorize(laplacian_->lower(), true);
 }
 
 void PolyCube::begin(Points& positions) {

@@ -20,14 +20,15 @@ struct PolyCubeParameters {
   int maxIterations = 50;
 };
 
-/// PolyCube deformation and its kin for other sets of directions (2021, §5.1): face normals turn to the closest of a few directions, and
-/// nothing keeps the details of the input, because every iteration starts anew from what the last one left as its rest shape:
+/// PolyCube deformation and its kin for other sets of directions (2021, §5.1): face normals turn to the closest of a
+/// few directions, and nothing keeps the details of the input, because every iteration starts anew from what the last
+/// one left as its rest shape:
 ///
 ///     min over R, u of Σ_f Σ_{e∈f} c_e |R_f d_e − u_e|² + λ a_f |R_f n_f − t_f|²  (FARAP, Eq. 4)
 ///
-/// with edges d, cotangents, normals, areas and targets t_f of the present shape. There the local step has a closed form; the global one
-/// factors the present Laplacian on the pattern of the input's. Each part keeps its centre. Normals soon lie right and the shape still
-/// drifts, so the number of iterations says when to stop.
+/// with edges d, cotangents, normals, areas and targets t_f of the present shape. There the local step has a closed
+/// form; the global one factors the present Laplacian on the pattern of the input's. Each part keeps its centre.
+/// Normals soon lie right and the shape still drifts, so the number of iterations says when to stop.
 class PolyCube : public MethodOf<PolyCubeParameters> {
  public:
   Status check(const PolyCubeParameters& values) const override;
@@ -38,8 +39,9 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
 
  private:
   void measure(const TriangleMesh& rest);
-  Status prepareSystem();
-  /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the energy.
+  void analyzeSystem(double& done);
+  /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the
+  /// energy.
   double rotateFaces(const Points& positions);
   /// Moves the vertices to the minimum for these rotations.
   Status globalStep(Points& positions);

@@ -25,7 +25,8 @@ double triangleQuality(const Vec3& a, const Vec3& b, const Vec3& c) {
 void RingSmoothing::prepare(const Points& rest, const Triangles& triangles) {
   acceptable_.resize(triangles.rows());
   for (Index f = 0; f < triangles.rows(); ++f) acceptable_[f] = std::min(kBadQuality, qualityOf(rest, triangles, f));
-  // Every face counts the edge that leaves a corner and the one that comes back to it; around an inner vertex they are the same edges.
+  // Every face counts the edge that leaves a corner and the one that comes back to it; around an inner vertex they are
+  // the same edges.
   neighbours_.assign(rest.rows(), 0);
   std::vector<std::int64_t> openness(rest.rows(), 0);
   for (Index f = 0; f < triangles.rows(); ++f) {

@@ -13,31 +13,30 @@ namespace whittle {
 
 namespace {
 
-/// How τ grows with each step, and how far. The path to the sphere is decided early; the long way of the rounder surface
-/// bears longer steps. The same sphere to within the mesh's own error, in a quarter of the steps.
+/// How τ grows with each step, and how far. The path to the sphere is decided early; the long way of the rounder
+/// surface bears longer steps. The same sphere to within the mesh's own error, in a quarter of the steps.
 constexpr double kGrowth = 1.1;
 constexpr double kMostGrowth = 10;
-/// Dirichlet energy over area from which the end of the flow is no sphere but a needle. On the way, long shapes reach some
-/// hundreds and come back; from more there is no return. That happens where lumped areas cannot tell a sphere from an
-/// ellipsoid: eight corners of a cube, or very uneven triangles.
+/// Dirichlet energy over area from which the end of the flow is no sphere but a needle. On the way, long shapes reach
+/// some hundreds and come back; from more there is no return. That happens where lumped areas cannot tell a sphere from
+/// an ellipsoid: eight corners of a cube, or very uneven triangles.
 constexpr double kNeedle = 2;
 constexpr double kNoReturn = 1e4;
 
 Status lost(const std::string& how) {
-  return Status::failure(Code::numericalFailure,
-                         "the flow to the sphere " + how + "; subdivide the mesh or remesh it more evenly, or lower timeStep");
+  return Status::failure(
+      Code::numericalFailure,
+      "the flow to the sphere " + how + "; subdivide the mesh or remesh it more evenly, or lower timeStep");
 }
 
-Vec3 areaCentroid(const Points& positions, const Scalars& areas) {
-  return positions.transpose() * areas / areas.sum();
-}
+Vec3 areaCentroid(const Points& positions, const Scalars& areas) { return positions.transpose() * areas / areas.sum(); }
 
 }  // namespace
 
 std::vector<Stage> ConformalFlow::plan(const TriangleMesh& rest, const SphericalParameters& values, Stale stale) {
   return Plan(stale)
       .add(Stale::all, "measuring the mesh", 8, [this, &rest] { measure(rest); })
-      .add(Stale::all, "analyzing the system", 8, [this] { cholesky_.analyze(system_, {.isOrdered = true}); })
+      .add(Stale::all, "analyzing the system", 8, [this](double& done) { done = cholesky_.analyzeNext(); })
       .add(Stale::targets, "taking the settings", 1, [this, &values] { values_ = values; })
       .stages();
 }
@@ -50,6 +49,7 @@ void ConformalFlow::measure(const TriangleMesh& rest) {
   const CornerScalars cotangents = halfCotangents(rest.positions, rest.triangles);
   laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount());
   system_ = laplacian_;
+  cholesky_.beginAnalyze(system_, {.isOrdered = true});
   for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest.vertexCount(), 3);
 }
 
@@ -69,10 +69,11 @@ Status ConformalFlow::step(Points& positions, StepReport& report) {
   if (status.ok()) {
     report.change = meanSquaredMove(positions, area);
     ++iterations_;
-    report.outcome = report.change <= values_.tolerance            ? Outcome::converged
+    report.outcome = report.change <= values_.tolerance     ? Outcome::converged
                      : iterations_ >= values_.maxIterations ? Outcome::iterationLimit
-                                                     : Outcome::running;
-    if (report.outcome == Outcome::converged) status = report.energy < kNeedle ? project(positions) : lost("ended as a needle");
+                                                            : Outcome::running;
+    if (report.outcome == Outcome::converged)
+      status = report.energy < kNeedle ? project(positions) : lost("ended as a needle");
   }
   if (!status.ok()) positions = previous_;
   return status;
@@ -86,7 +87,8 @@ Status ConformalFlow::flow(Points& positions, double area) {
   const double tau = timeStep() * area;
   system_.coeffs() = tau * laplacian_.coeffs();
   // Sorted columns of a lower triangle begin with the diagonal. A vertex without a face has no area and stays.
-  for (Index v = 0; v < areas_.size(); ++v) system_.valuePtr()[system_.outerIndexPtr()[v]] += areas_[v] > 0 ? areas_[v] : 1;
+  for (Index v = 0; v < areas_.size(); ++v)
+    system_.valuePtr()[system_.outerIndexPtr()[v]] += areas_[v] > 0 ? areas_[v] : 1;
   Status status = cholesky_.factorize(system_);
   if (!status.ok()) return status;
   correction_ = -tau * gradient_;

@@ -6,34 +6,35 @@
 namespace whittle {
 
 struct SphericalParameters {
-  double timeStep = 1e-3;    // τ of the first step, for a surface of area 1
-  double tolerance = 1e-9;   // mean squared move of a step as a share of the area
+  double timeStep = 1e-3;   // τ of the first step, for a surface of area 1
+  double tolerance = 1e-9;  // mean squared move of a step as a share of the area
   int maxIterations = 300;
 };
 
-/// Conformalized mean curvature flow (Kazhdan et al. 2012) of a closed surface of genus 0 to a sphere, the map by which a
-/// style mesh gives its normals to the unit sphere (2021, §3.1). One step solves
+/// Conformalized mean curvature flow (Kazhdan et al. 2012) of a closed surface of genus 0 to a sphere, the map by which
+/// a style mesh gives its normals to the unit sphere (2021, §3.1). One step solves
 ///
 ///     (M(U) + τ L₀) U⁺ = M(U) U
 ///
-/// with M the lumped barycentric areas of the current surface and L₀ the cotangent Laplacian of the input; τ is that of a
-/// surface of area 1, so it means the same for every mesh, and grows to its tenfold on the way. The surface keeps the
+/// with M the lumped barycentric areas of the current surface and L₀ the cotangent Laplacian of the input; τ is that of
+/// a surface of area 1, so it means the same for every mesh, and grows to its tenfold on the way. The surface keeps the
 /// input's area and area centroid: a page can show it flowing.
 ///
-/// The spheres that it can end at differ by Möbius transformations, along which it goes on drifting. So these do not count
-/// as movement when it stops, and of all of them the result is the one in which the input's area is balanced around the
-/// centre. Converged, it is a sphere of the input's area around the input's area centroid, every vertex on it and no
-/// triangle folded over; whoever needs points of the unit sphere takes the directions from the centroid. A run that the
-/// iteration limit ends leaves the surface as it is.
+/// The spheres that it can end at differ by Möbius transformations, along which it goes on drifting. So these do not
+/// count as movement when it stops, and of all of them the result is the one in which the input's area is balanced
+/// around the centre. Converged, it is a sphere of the input's area around the input's area centroid, every vertex on
+/// it and no triangle folded over; whoever needs points of the unit sphere takes the directions from the centroid. A
+/// run that the iteration limit ends leaves the surface as it is.
 ///
-/// The energy that is reported is Dirichlet's over the area: at least 1, and 1 only where the map keeps angles. Each step
-/// factors a matrix anew and allocates for it.
+/// The energy that is reported is Dirichlet's over the area: at least 1, and 1 only where the map keeps angles. Each
+/// step factors a matrix anew and allocates for it.
 class ConformalFlow : public MethodOf<SphericalParameters> {
  public:
   /// @param rest a mesh that `requireSphere` lets through
   std::vector<Stage> plan(const TriangleMesh& rest, const SphericalParameters& values, Stale stale) override;
   void begin(Points& positions) override;
-  /// Fails with `numericalFailure` where the flow loses its numbers or ends folded; the positions are then those before.
+  /// Fails with `numericalFailure` where the flow loses its numbers or ends folded; the positions are then those
+  /// before.
   Status step(Points& positions, StepReport& report) override;
 
  private:

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "mesh/validate.h"
@@ -35,7 +35,9 @@ std::string counted(Index count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-Status refuse(const std::string& message, Element element = {}) { return Status::failure(Code::unsuitableMesh, message, element); }
+Status refuse(const std::string& message, Element element = {}) {
+  return Status::failure(Code::unsuitableMesh, message, element);
+}
 
 /// Where a mesh is not what a sphere is made of: how many places, and the first.
 struct Faults {
@@ -64,9 +66,10 @@ Status requireClosed(const std::vector<DirectedEdge>& edges) {
                   open.vertex());
   }
   if (crowded.count > 0) {
-    return refuse(counted(crowded.count, "edge joins", "edges join") +
-                      " three faces or more, the first at vertex {}; remove the inner faces so that one closed skin is left",
-                  crowded.vertex());
+    return refuse(
+        counted(crowded.count, "edge joins", "edges join") +
+            " three faces or more, the first at vertex {}; remove the inner faces so that one closed skin is left",
+        crowded.vertex());
   }
   if (turned.count > 0) {
     return refuse("neighbouring faces disagree about the outside along " + counted(turned.count, "edge", "edges") +
@@ -112,7 +115,7 @@ Status requireGenusZero(const MeshReport& report) {
   const Index genus = (2 - (used - edges + report.faces)) / 2;  // Euler: V − E + F = 2 − 2g
   if (genus == 0) return {};
   return refuse("the surface has " + counted(genus, "handle or tunnel", "handles or tunnels") + " (genus " +
-                    std::to_string(genus) + "); only a shape without, of genus 0, can become a sphere");
+                std::to_string(genus) + "); only a shape without, of genus 0, can become a sphere");
 }
 
 Status requireSoundFaces(const TriangleMesh& mesh, const MeshReport& report) {
@@ -129,7 +132,8 @@ Status requireSoundFaces(const TriangleMesh& mesh, const MeshReport& report) {
 Status requireSphere(const TriangleMesh& mesh) {
   const MeshReport report = inspect(mesh);
   if (report.components > 1) {
-    return refuse("the mesh has " + std::to_string(report.components) + " separate parts; keep one, or join them to one skin");
+    return refuse("the mesh has " + std::to_string(report.components) +
+                  " separate parts; keep one, or join them to one skin");
   }
   if (Status status = requireSoundFaces(mesh, report); !status.ok()) return status;
   const std::vector<DirectedEdge> edges = sortedEdges(mesh.triangles);

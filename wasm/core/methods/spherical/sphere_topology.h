@@ -5,10 +5,10 @@
 
 namespace whittle {
 
-/// Refuses with `unsuitableMesh` what cannot be mapped to a sphere: several parts, degenerate faces, holes, edges of three
-/// faces, faces that disagree about the outside, vertices where sheets merely touch, and handles and tunnels (genus > 0).
-/// Vertices without a face are let through. The sentence names a place and what to do, the element is a vertex, or a face
-/// where it is about faces.
+/// Refuses with `unsuitableMesh` what cannot be mapped to a sphere: several parts, degenerate faces, holes, edges of
+/// three faces, faces that disagree about the outside, vertices where sheets merely touch, and handles and tunnels
+/// (genus > 0). Vertices without a face are let through. The sentence names a place and what to do, the element is a
+/// vertex, or a face where it is about faces.
 Status requireSphere(const TriangleMesh& mesh);
 
 /// Of points on a sphere around `center`, how many triangles are turned over or have no area, seen from it.

@@ -3,7 +3,8 @@
 namespace whittle {
 
 Status HandlesKind::read(const RawValue& raw, const MeshContext& mesh, Handles& value) const {
-  if (raw.hasName() || raw.numbers.size() != 3 * raw.indices.size()) return raw.refused("must have a target of three numbers for each vertex");
+  if (raw.hasName() || raw.numbers.size() != 3 * raw.indices.size())
+    return raw.refused("must have a target of three numbers for each vertex");
   Handles handles{std::vector<Index>(raw.indices.begin(), raw.indices.end()),
                   Eigen::Map<const Points>(raw.numbers.data(), static_cast<Eigen::Index>(raw.indices.size()), 3)};
   if (Status status = validateHandles(handles, mesh.vertexCount); !status.ok()) return status;

@@ -10,8 +10,8 @@
 
 namespace whittle {
 
-/// A parameter's value as it comes in from outside: a name, numbers and indices, which each kind reads in its own way. Nothing at all
-/// stands for the default.
+/// A parameter's value as it comes in from outside: a name, numbers and indices, which each kind reads in its own way.
+/// Nothing at all stands for the default.
 struct RawValue {
   const char* parameter = "";  // whose value it is, for sentences
   const char* name = "";       // of a choice, or of one of several forms of a value

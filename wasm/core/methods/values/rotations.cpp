@@ -4,8 +4,8 @@ namespace whittle {
 
 Status RotationsKind::read(const RawValue& raw, const MeshContext& mesh, Quaternions& value) const {
   if (!raw.isNumbers(4 * static_cast<std::size_t>(mesh.vertexCount))) {
-    return raw.refused("has " + std::to_string(raw.numbers.size()) + " numbers for " + std::to_string(mesh.vertexCount) +
-                       " vertices; it needs four for each");
+    return raw.refused("has " + std::to_string(raw.numbers.size()) + " numbers for " +
+                       std::to_string(mesh.vertexCount) + " vertices; it needs four for each");
   }
   const Eigen::Map<const Quaternions> given(raw.numbers.data(), mesh.vertexCount, 4);
   for (Index v = 0; v < mesh.vertexCount; ++v) {

@@ -10,7 +10,8 @@ namespace whittle {
 /// A quaternion x y z w for each vertex (#V×4).
 using Quaternions = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-/// A rotation for each vertex: 4·#V numbers, x y z w each; a quaternion of zeros says nothing of its vertex. None by default.
+/// A rotation for each vertex: 4·#V numbers, x y z w each; a quaternion of zeros says nothing of its vertex. None by
+/// default.
 struct RotationsKind {
   using Value = Quaternions;
   static constexpr const char* kName = "rotations";

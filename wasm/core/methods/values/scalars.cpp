@@ -4,7 +4,8 @@ namespace whittle {
 
 Status ScalarsKind::read(const RawValue& raw, const MeshContext& mesh, Scalars& value) const {
   if (!raw.isNumbers(static_cast<std::size_t>(mesh.vertexCount))) {
-    return raw.refused("has " + std::to_string(raw.numbers.size()) + " numbers for " + std::to_string(mesh.vertexCount) + " vertices");
+    return raw.refused("has " + std::to_string(raw.numbers.size()) + " numbers for " +
+                       std::to_string(mesh.vertexCount) + " vertices");
   }
   for (Index v = 0; v < mesh.vertexCount; ++v) {
     if (!range.holds(raw.numbers[v])) return raw.refused("is out of its range at vertex {}", Element::vertex(v));

@@ -8,8 +8,8 @@
 
 namespace whittle {
 
-/// A style's Gauss map. "closest": numbers are normals, #N×3. "vertex" and "face": indices are the count of the points, then triangles
-/// #F×3; numbers are points, #P×3, then a normal for each point or triangle. None by default.
+/// A style's Gauss map. "closest": numbers are normals, #N×3. "vertex" and "face": indices are the count of the points,
+/// then triangles #F×3; numbers are points, #P×3, then a normal for each point or triangle. None by default.
 struct StyleKind {
   using Value = std::shared_ptr<const GaussMap>;
   static constexpr const char* kName = "style";

@@ -3,7 +3,8 @@
 namespace whittle {
 
 Status TextureSlopesKind::read(const RawValue& raw, const MeshContext& mesh, Value& value) const {
-  if (!raw.isNumbers(raw.numbers.size() / 4 * 4)) return raw.refused("must have two coordinates and two slopes for each corner");
+  if (!raw.isNumbers(raw.numbers.size() / 4 * 4))
+    return raw.refused("must have two coordinates and two slopes for each corner");
   using Pairs = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
   const Eigen::Index corners = static_cast<Eigen::Index>(raw.numbers.size() / 4);
   TextureSlopes texture{Eigen::Map<const Pairs>(raw.numbers.data(), corners, 2).cast<float>(),

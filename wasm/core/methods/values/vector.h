@@ -21,7 +21,9 @@ struct VectorKind {
     value = Eigen::Map<const Value>(raw.numbers.data());
     return {};
   }
-  void describe(const Value& usual, Json& json) const { range.describe(json.addJson("default", jsonList(usual, jsonNumber))); }
+  void describe(const Value& usual, Json& json) const {
+    range.describe(json.addJson("default", jsonList(usual, jsonNumber)));
+  }
 };
 
 }  // namespace whittle

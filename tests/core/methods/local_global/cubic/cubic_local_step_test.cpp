@@ -32,8 +32,8 @@ Vertex vertexOf(Noise& noise, const Mat3& M, double weight) {
 /// Covariances of every awkward kind: random, reflected, of rank 2, 1 and 0, with equal singular values, tiny.
 std::vector<Mat3> awkwardCovariances(Noise& noise) {
   std::vector<Mat3> matrices = {noise.matrix(), Mat3::Zero(), Mat3::Identity()};
-  for (const Vec3& values : {Vec3(3, 2, 1), Vec3(3, 2, -1), Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(1, 1, -1), Vec3(1, 0.3, -0.2999),
-                             Vec3(1, 1e-4, 1e-8), Vec3(1e-12, 1e-12, 0)}) {
+  for (const Vec3& values : {Vec3(3, 2, 1), Vec3(3, 2, -1), Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(1, 1, -1),
+                             Vec3(1, 0.3, -0.2999), Vec3(1, 1e-4, 1e-8), Vec3(1e-12, 1e-12, 0)}) {
     matrices.push_back(noise.withSingularValues(values));
   }
   return matrices;
@@ -90,7 +90,8 @@ TEST_CASE("brute force never beats the exact step") {
     for (int trial = 0; trial < 8; ++trial) {
       for (const Mat3& M : awkwardCovariances(noise)) {
         const double weight = lambda * std::max(M.norm(), 1e-12) / 6;
-        for (Vertex vertex : {vertexOf(noise, M, weight), vertexOf(noise, M, 1e-30), surfaceVertex(noise, lambda, 1e-9)}) {
+        for (Vertex vertex :
+             {vertexOf(noise, M, weight), vertexOf(noise, M, 1e-30), surfaceVertex(noise, lambda, 1e-9)}) {
           if (trial < 3) vertex.n = Vec3::Unit(trial);
           REQUIRE(bruteForce(noise, vertex) <= solveExactly(vertex) + 1e-10 * vertex.scale());
         }

@@ -104,7 +104,8 @@ TEST_CASE("an orientation is as good as turning the mesh, in all styles and by b
   const TriangleMesh mesh = bent(sphere(3));
   const Mat3 R = someRotation();
   for (const char* localStep : {"exact", "admm"}) {
-    for (Style style : {Style{}, Style{0.5, {1, 0.4, 0}}, Style{0.5, Vec3::Ones(), "hexagonal-prism"}, Style{0.5, Vec3::Ones(), "cube", someRows()}}) {
+    for (Style style : {Style{}, Style{0.5, {1, 0.4, 0}}, Style{0.5, Vec3::Ones(), "hexagonal-prism"},
+                        Style{0.5, Vec3::Ones(), "cube", someRows()}}) {
       style.localStep = localStep;
       const Points plain = run(turned(mesh, R.transpose()), style).positions * R.transpose();
       style.orientation = quaternionOf(R, 0.01);
@@ -245,7 +246,8 @@ TEST_CASE("what cannot be a style is refused by name, and nothing of it stays") 
     CHECK(status.message.find(what) != std::string::npos);
     return status.element.index;
   };
-  for (const Vec3& axes : {Vec3(1, 1, -0.1), Vec3(101, 1, 1), Vec3(1, nan, 1)}) refuses("lambdaAxes", axes, "out of its range");
+  for (const Vec3& axes : {Vec3(1, 1, -0.1), Vec3(101, 1, 1), Vec3(1, nan, 1)})
+    refuses("lambdaAxes", axes, "out of its range");
   refuses("lambdaAxes", Scalars::Ones(2), "needs 3");
   refuses("orientation", Scalars::Zero(4), "not all of them zero");
   refuses("orientation", Scalars::Ones(3), "quaternion");

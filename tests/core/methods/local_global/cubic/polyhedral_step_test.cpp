@@ -128,8 +128,10 @@ std::vector<Vec3> faceNormals(const Polyhedron& polyhedron) {
 
 TEST_CASE("the polyhedra are what their names say") {
   using Name = Polyhedron::Name;
-  const std::map<Name, std::size_t> faces = {
-      {Name::cube, 3}, {Name::hexagonalPrism, 4}, {Name::rhombicDodecahedron, 6}, {Name::truncatedOctahedron, 7}};  // pairs of opposite ones
+  const std::map<Name, std::size_t> faces = {{Name::cube, 3},
+                                             {Name::hexagonalPrism, 4},
+                                             {Name::rhombicDodecahedron, 6},
+                                             {Name::truncatedOctahedron, 7}};  // pairs of opposite ones
   for (const auto& [word, name] : Polyhedron::names()) {
     const Polyhedron polyhedron = Polyhedron::named(name);
     double length = 0;
@@ -168,7 +170,8 @@ TEST_CASE("brute force and a tight ADMM never beat the exact step of any polyhed
           CubicAdmm::State state;
           admm.solve(vertex.M, vertex.n, vertex.weight, state, R);
           REQUIRE(vertex.objective(R) <= value + slack);
-          REQUIRE(std::abs(solved.regularizer[lane] - vertex.weight * polyhedron.support(solved.R[lane] * vertex.n)) <= slack);
+          REQUIRE(std::abs(solved.regularizer[lane] - vertex.weight * polyhedron.support(solved.R[lane] * vertex.n)) <=
+                  slack);
           certified += solved.certified[lane];
         }
       }
@@ -193,7 +196,8 @@ TEST_CASE("any matrix B: no gap where it is certified, and neither brute force n
       for (int lane = 0; lane < 4; ++lane) {
         const PolyhedralVertex& vertex = vertices[lane];
         const double value = vertex.objective(solved.R[lane]), slack = kSingle * scaleOf(vertex);
-        REQUIRE(std::abs(solved.regularizer[lane] - vertex.weight * polyhedron.support(solved.R[lane] * vertex.n)) <= slack);
+        REQUIRE(std::abs(solved.regularizer[lane] - vertex.weight * polyhedron.support(solved.R[lane] * vertex.n)) <=
+                slack);
         REQUIRE(bruteForce(noise, vertex) <= value + slack);
         Mat3 R = fitRotation(vertex.M);
         CubicAdmm::State state;

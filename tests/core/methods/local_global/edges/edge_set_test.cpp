@@ -15,7 +15,8 @@ using namespace whittle::testing;
 namespace {
 
 /// The energy by its definition: every element, every face around it, every edge of that.
-double energyByDefinition(EdgeSetKind kind, const TriangleMesh& rest, const Points& output, const std::vector<Mat3>& R) {
+double energyByDefinition(EdgeSetKind kind, const TriangleMesh& rest, const Points& output,
+                          const std::vector<Mat3>& R) {
   const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
   double energy = 0;
   for (Index f = 0; f < rest.faceCount(); ++f) {
@@ -67,7 +68,8 @@ struct Looked {
 };
 
 /// @param size how many elements at a time
-Looked look(const EdgeSet& edges, const LaneRows& displacements, const std::vector<QuaternionLanes>& rotations, Index size) {
+Looked look(const EdgeSet& edges, const LaneRows& displacements, const std::vector<QuaternionLanes>& rotations,
+            Index size) {
   Looked result{0, std::vector<MatrixLanes>(rotations.size(), zeroMatrices()), LaneRows(displacements.size())};
   const StiffEdges& stiff = edges.stiffEdges();
   Points exact(stiff.vertices().size(), 3);
@@ -83,7 +85,8 @@ Looked look(const EdgeSet& edges, const LaneRows& displacements, const std::vect
     std::vector<MatrixLanes> rotationChanges;
     for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b) {
       rotationChanges.push_back(rotationChange(rotations[b]));
-      result.energy -= sumOf(toDouble(traceOfProduct(rotationChanges.back(), edges.restCovariances()[b] + result.covariances[b])));
+      result.energy -=
+          sumOf(toDouble(traceOfProduct(rotationChanges.back(), edges.restCovariances()[b] + result.covariances[b])));
     }
     edges.addRotationChanges(rotationChanges.data(), range, result.residual);
   }
@@ -113,14 +116,16 @@ TEST_CASE("both edge sets: covariances carry the energy, the global step is its 
           Points plus = output, minus = output;
           plus(v, axis) += h;
           minus(v, axis) -= h;
-          const double slope = (energyByDefinition(kind, rest, plus, R) - energyByDefinition(kind, rest, minus, R)) / (2 * h);
+          const double slope =
+              (energyByDefinition(kind, rest, plus, R) - energyByDefinition(kind, rest, minus, R)) / (2 * h);
           CHECK(std::abs(-2 * visits * components[axis] - slope) < 1e-5);
         }
       }
       // The Hessian is the Laplacian: the residual changes by −L ΔV.
       const Looked atRest = look(*edges, LaneRows(displacements.size()), rotations, edges->elementCount());
       const Points change = denseLaplacian(rest) * (output - rest.positions);
-      CHECK((toPoints(here.residual, rest.vertexCount()) - toPoints(atRest.residual, rest.vertexCount()) + change).norm() < 1e-5);
+      CHECK((toPoints(here.residual, rest.vertexCount()) - toPoints(atRest.residual, rest.vertexCount()) + change)
+                .norm() < 1e-5);
     }
   }
 }
@@ -129,7 +134,8 @@ TEST_CASE("what thin faces say is not lost on the others") {
   TriangleMesh rest = bent(grid(4));
   // A vertex next to the edge across from it: caps whose weights are some hundreds and cancel.
   const auto corners = rest.triangles.row(9);
-  const Eigen::RowVector3d a = rest.positions.row(corners[0]), b = rest.positions.row(corners[1]), c0 = rest.positions.row(corners[2]);
+  const Eigen::RowVector3d a = rest.positions.row(corners[0]), b = rest.positions.row(corners[1]),
+                           c0 = rest.positions.row(corners[2]);
   rest.positions.row(corners[2]) = 0.499 * (a + b) + 0.002 * c0;
   const CornerScalars c = halfCotangents(rest.positions, rest.triangles);
   for (const EdgeSetKind kind : {EdgeSetKind::spokesAndRims, EdgeSetKind::faces}) {
@@ -161,7 +167,8 @@ TEST_CASE("ranges of elements add up to all of them") {
     const Looked whole = look(*edges, displacements, rotations, edges->elementCount());
     const Looked pieces = look(*edges, displacements, rotations, 8);
     CHECK(pieces.energy == doctest::Approx(whole.energy).epsilon(1e-12));
-    CHECK(std::memcmp(whole.covariances.data(), pieces.covariances.data(), whole.covariances.size() * sizeof(MatrixLanes)) == 0);
+    CHECK(std::memcmp(whole.covariances.data(), pieces.covariances.data(),
+                      whole.covariances.size() * sizeof(MatrixLanes)) == 0);
     const Index n = rest.vertexCount();
     CHECK((toPoints(whole.residual, n) - toPoints(pieces.residual, n)).cwiseAbs().maxCoeff() < 1e-6);
   }
@@ -187,7 +194,8 @@ TEST_CASE("what fills up the last batch adds nothing to any vertex") {
     const auto edges = makeEdgeSet(kind, rest, c);
     const Index count = edges->elementCount();
     std::vector<QuaternionLanes> rotations = noisyRotations(count), other = rotations;
-    for (Index k = count; k < 4 * static_cast<Index>(other.size()); ++k) setRotation(other[k / 4], k % 4, Noise().rotation());
+    for (Index k = count; k < 4 * static_cast<Index>(other.size()); ++k)
+      setRotation(other[k / 4], k % 4, Noise().rotation());
     const LaneRows displacements = toRows(bent(rest).positions - rest.positions);
     const Looked one = look(*edges, displacements, rotations, count), two = look(*edges, displacements, other, count);
     CHECK(one.energy == two.energy);

@@ -19,7 +19,8 @@ double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().
 
 /// But for single precision, of the energy and of the terms that cancel in it (about 1 in the unit frame).
 void requireMonotone(const std::vector<double>& energies) {
-  for (std::size_t k = 1; k < energies.size(); ++k) REQUIRE(energies[k] <= energies[k - 1] + 1e-7 * (std::abs(energies[0]) + 1));
+  for (std::size_t k = 1; k < energies.size(); ++k)
+    REQUIRE(energies[k] <= energies[k - 1] + 1e-7 * (std::abs(energies[0]) + 1));
 }
 
 GaussMapData sphereStyle(int levels) {
@@ -30,7 +31,8 @@ GaussMapData sphereStyle(int levels) {
 }  // namespace
 
 TEST_CASE("with targets that stay, the energy never rises") {
-  for (const TriangleMesh& mesh : {bent(sphere(3)), bent(grid(12)), torus(20), together(bent(sphere(2)), torus(12), {4, 0, 0})}) {
+  for (const TriangleMesh& mesh :
+       {bent(sphere(3)), bent(grid(12)), torus(20), together(bent(sphere(2)), torus(12), {4, 0, 0})}) {
     for (const std::string& regularizer : kAll) {
       for (const double lambda : {0.1, 1.0, 8.0}) {
         for (const char* acceleration : {"nesterov", "none"}) {
@@ -151,7 +153,8 @@ TEST_CASE("targets that follow the output are other targets") {
   const TriangleMesh mesh = bent(sphere(3));
   const GaussMap style(octahedronStyle());
   for (const std::string& regularizer : kAll) {
-    const StyledRun fixed = run(mesh, {octahedronStyle(), 2, regularizer}), dynamic = run(mesh, {octahedronStyle(), 2, regularizer, true});
+    const StyledRun fixed = run(mesh, {octahedronStyle(), 2, regularizer}),
+                    dynamic = run(mesh, {octahedronStyle(), 2, regularizer, true});
     CHECK(largestMove(fixed.positions, dynamic.positions) > 1e-3);
     CHECK(dynamic.positions.allFinite());
     CHECK(angleToStyle(dynamic.positions, mesh.triangles, style) < angleToStyle(mesh.positions, mesh.triangles, style));
@@ -228,7 +231,8 @@ TEST_CASE("what an analogy cannot work with is refused with a sentence") {
   REQUIRE(session.select("analogy").ok());
   CHECK(session.prepare().message.find("needs a style") != std::string::npos);
   CHECK(session.set("style", encoded(GaussMapData{})).code == Code::badParameter);
-  CHECK(session.set("lambdaPerVertex", encoded(Scalars::Ones(5))).message.find("5 numbers for 18 vertices") != std::string::npos);
+  CHECK(session.set("lambdaPerVertex", encoded(Scalars::Ones(5))).message.find("5 numbers for 18 vertices") !=
+        std::string::npos);
   Scalars negative = Scalars::Ones(18);
   negative[3] = -1;
   const Status status = session.set("lambdaPerVertex", encoded(negative));

@@ -83,7 +83,8 @@ Spread spread(const Points& positions, const Triangles& triangles, double small)
   Scalars defects = angleDefects(positions, triangles).cwiseAbs();
   std::sort(defects.begin(), defects.end());
   const Index count = static_cast<Index>(defects.size());
-  return {static_cast<double>((defects.array() < small).count()) / count, defects.tail(count / 20).sum() / defects.sum()};
+  return {static_cast<double>((defects.array() < small).count()) / count,
+          defects.tail(count / 20).sum() / defects.sum()};
 }
 
 }  // namespace
@@ -109,7 +110,8 @@ TEST_CASE("targets are those of a plain eigen-solver") {
           const bool isFlat = bend < threshold;
           isClear &= std::abs(bend - threshold) > 1e-5 && (isFlat || e[1] > 1.2 * e[2] + 1e-4 * e[0]);
           const Vec3 n = normals.row(f).transpose();
-          target += isFlat ? Vec3(vectors.col(0) * vectors.col(0).dot(n)) : Vec3(n - vectors.col(2) * vectors.col(2).dot(n));
+          target +=
+              isFlat ? Vec3(vectors.col(0) * vectors.col(0).dot(n)) : Vec3(n - vectors.col(2) * vectors.col(2).dot(n));
         }
         if (!isClear) continue;
         ++compared;
@@ -131,11 +133,13 @@ TEST_CASE("curvature leaves most of the surface and gathers on creases") {
     const Spread was = spread(mesh.positions, mesh.triangles, small);
     const StyledRun result = crease(mesh, Creased());
     const Spread is = spread(result.positions, mesh.triangles, small);
-    MESSAGE(name << ": without curvature " << was.flat << " → " << is.flat << ", on its twentieth " << was.top << " → " << is.top);
+    MESSAGE(name << ": without curvature " << was.flat << " → " << is.flat << ", on its twentieth " << was.top << " → "
+                 << is.top);
     CHECK(is.flat > was.flat + 0.2);
     CHECK(is.top > 1.2 * was.top);
     CHECK(foldCount(result.positions, mesh.triangles) == 0);
-    const double area = faceAreas(result.positions, mesh.triangles).sum() / faceAreas(mesh.positions, mesh.triangles).sum();
+    const double area =
+        faceAreas(result.positions, mesh.triangles).sum() / faceAreas(mesh.positions, mesh.triangles).sum();
     CHECK(area == doctest::Approx(1).epsilon(0.01));
   }
 }
@@ -171,7 +175,8 @@ TEST_CASE("turning the mesh turns its creases, another order of vertices is anot
     CHECK((other.row(shuffledPlace(v, mesh.vertexCount())) - plain.row(v)).norm() < 1e-2 * way);
   }
   const Mat3 R = someRotation();
-  CHECK(largestMove(crease({mesh.positions * R.transpose(), mesh.triangles}, creased).positions, plain * R.transpose()) < 1e-2 * way);
+  CHECK(largestMove(crease({mesh.positions * R.transpose(), mesh.triangles}, creased).positions,
+                    plain * R.transpose()) < 1e-2 * way);
 }
 
 TEST_CASE("it runs for as many iterations as it is told, however the energy goes") {

@@ -25,7 +25,8 @@ TriangleMesh inUnitFrame(TriangleMesh mesh) {
   return mesh;
 }
 
-/// An edge set, straight from the definition: c, d, u of all edges that element k sees, and its area, normal and target.
+/// An edge set, straight from the definition: c, d, u of all edges that element k sees, and its area, normal and
+/// target.
 struct PlainElement {
   std::vector<double> c;
   std::vector<Vec3> d, u;
@@ -36,10 +37,11 @@ struct PlainElement {
 std::vector<PlainElement> plainElements(const TriangleMesh& rest, const Points& output, const Analogy& analogy) {
   const bool perFace = analogy.regularizer == kFarap;
   const CornerScalars half = halfCotangents(rest.positions, rest.triangles);
-  const Points normals = perFace ? faceNormals(rest.positions, rest.triangles) : vertexNormals(rest.positions, rest.triangles);
+  const Points normals =
+      perFace ? faceNormals(rest.positions, rest.triangles) : vertexNormals(rest.positions, rest.triangles);
   const Points seen = !analogy.isDynamic ? normals
-                      : perFace         ? faceNormals(output, rest.triangles)
-                                        : vertexNormals(output, rest.triangles);
+                      : perFace          ? faceNormals(output, rest.triangles)
+                                         : vertexNormals(output, rest.triangles);
   const Scalars areas =
       perFace ? faceAreas(rest.positions, rest.triangles) : mixedVoronoiAreas(rest.positions, rest.triangles);
   const GaussMap style(analogy.style);
@@ -60,7 +62,9 @@ std::vector<PlainElement> plainElements(const TriangleMesh& rest, const Points& 
     e.n = normals.row(k).transpose(), e.t = style(seen.row(k).transpose());
     double lambda = analogy.lambda;
     const Scalars& own = analogy.lambdaPerVertex;
-    if (own.size()) lambda = perFace ? (own[rest.triangles(k, 0)] + own[rest.triangles(k, 1)] + own[rest.triangles(k, 2)]) / 3 : own[k];
+    if (own.size())
+      lambda =
+          perFace ? (own[rest.triangles(k, 0)] + own[rest.triangles(k, 1)] + own[rest.triangles(k, 2)]) / 3 : own[k];
     e.weight = lambda * areas[k];
   }
   return elements;

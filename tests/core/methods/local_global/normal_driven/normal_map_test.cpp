@@ -39,7 +39,8 @@ TextureSlopes waves(const TriangleMesh& mesh, double height, double periods) {
   return texture;
 }
 
-void prepareNormalmap(Session& session, const TriangleMesh& mesh, const TextureSlopes& texture, const std::string& regularizer) {
+void prepareNormalmap(Session& session, const TriangleMesh& mesh, const TextureSlopes& texture,
+                      const std::string& regularizer) {
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("normalmap").ok());
   REQUIRE(session.set("image", encoded(texture)).ok());
@@ -48,13 +49,16 @@ void prepareNormalmap(Session& session, const TriangleMesh& mesh, const TextureS
 }
 
 /// Largest distance of rows from a vector.
-double farthest(const Points& rows, const Vec3& from) { return (rows.rowwise() - from.transpose()).rowwise().norm().maxCoeff(); }
+double farthest(const Points& rows, const Vec3& from) {
+  return (rows.rowwise() - from.transpose()).rowwise().norm().maxCoeff();
+}
 
 }  // namespace
 
 TEST_CASE("a slope tilts normals against it, in the frame of the texture") {
   const TriangleMesh mesh = grid(5);
-  const Points upright = vertexNormals(mesh.positions, mesh.triangles), faces = faceNormals(mesh.positions, mesh.triangles);
+  const Points upright = vertexNormals(mesh.positions, mesh.triangles),
+               faces = faceNormals(mesh.positions, mesh.triangles);
   const Eigen::Matrix2d plain = Eigen::Matrix2d::Identity(), stretched = Eigen::Vector2d(7, 0.3).asDiagonal();
   for (const Eigen::Matrix2d& toUv : {plain, stretched}) {
     const TextureSlopes texture = slopeOn(mesh, toUv, {0.75, 0});
@@ -71,11 +75,13 @@ TEST_CASE("a slope tilts normals against it, in the frame of the texture") {
 TEST_CASE("at a seam a vertex has the mean of both sides") {
   // The left half carries the texture mirrored: a roof along the middle.
   const TriangleMesh mesh = grid(5);
-  const TextureSlopes right = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0.75, 0}), left = slopeOn(mesh, mirroredX(), {0.75, 0});
+  const TextureSlopes right = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0.75, 0}),
+                      left = slopeOn(mesh, mirroredX(), {0.75, 0});
   TextureSlopes roof = right;
   for (Index c = 0; c < roof.uvs.rows(); ++c) {
     const bool isLeft = mesh.positions(mesh.triangles(c / 3, 0), 0) + mesh.positions(mesh.triangles(c / 3, 1), 0) +
-                            mesh.positions(mesh.triangles(c / 3, 2), 0) < 1.5;
+                            mesh.positions(mesh.triangles(c / 3, 2), 0) <
+                        1.5;
     if (isLeft) roof.uvs.row(c) = left.uvs.row(c);
   }
   const Points raised = raisedVertexNormals(mesh, vertexNormals(mesh.positions, mesh.triangles), roof, 1);
@@ -89,7 +95,8 @@ TEST_CASE("at a seam a vertex has the mean of both sides") {
 
 TEST_CASE("what is flat, or has no frame, keeps its normal to the bit") {
   TriangleMesh mesh = bent(sphere(3));
-  const Points normals = vertexNormals(mesh.positions, mesh.triangles), faces = faceNormals(mesh.positions, mesh.triangles);
+  const Points normals = vertexNormals(mesh.positions, mesh.triangles),
+               faces = faceNormals(mesh.positions, mesh.triangles);
   const TextureSlopes steep = slopeOn(mesh, Eigen::Matrix2d::Identity(), {0.5, 0.2});
   CHECK(raisedVertexNormals(mesh, normals, steep, 0) == normals);
   CHECK(raisedFaceNormals(mesh, faces, steep, 0) == faces);
@@ -138,7 +145,8 @@ TEST_CASE("the energy never rises, steps claim no memory, and faces come to face
     CHECK(report.outcome == Outcome::converged);
     Points positions(mesh.vertexCount(), 3);
     session.copyPositions(positions.data());
-    MESSAGE("regularizer " << regularizer << ": " << meanAngle(mesh.positions) << "° before, " << meanAngle(positions) << "° after");
+    MESSAGE("regularizer " << regularizer << ": " << meanAngle(mesh.positions) << "° before, " << meanAngle(positions)
+                           << "° after");
     CHECK(meanAngle(positions) < 0.15 * meanAngle(mesh.positions));
   }
 }

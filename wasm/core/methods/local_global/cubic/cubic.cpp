@@ -11,7 +11,9 @@ namespace whittle {
 namespace {
 
 /// Whether the style is a cube or, with axes of other weights, a box.
-bool isBox(const CubicParameters& values) { return values.polyhedron.isNamed() && values.polyhedron.name == Polyhedron::Name::cube; }
+bool isBox(const CubicParameters& values) {
+  return values.polyhedron.isNamed() && values.polyhedron.name == Polyhedron::Name::cube;
+}
 
 /// Goes back to the guess in lanes where it is better.
 void keepBetter(const CubicLanes& vertices, Lanes weights, const Polyhedron& polyhedron, const QuaternionLanes& guess,
@@ -30,8 +32,9 @@ void keepBetter(const CubicLanes& vertices, Lanes weights, const Polyhedron& pol
 
 Status CubicLocalStep::check(const CubicParameters& values) {
   if (isBox(values) || values.lambdaAxes == Vec3::Ones()) return {};
-  return Status::failure(Code::badParameter,
-                         "only the cube has axes to weigh; leave lambdaAxes at 1, 1, 1 or choose the polyhedron \"cube\"");
+  return Status::failure(
+      Code::badParameter,
+      "only the cube has axes to weigh; leave lambdaAxes at 1, 1, 1 or choose the polyhedron \"cube\"");
 }
 
 std::vector<std::string> CubicLocalStep::warnings(const CubicParameters& values) {
@@ -78,7 +81,8 @@ void CubicLocalStep::prepareStyle(const CubicParameters& values) {
   }
 }
 
-Lanes CubicLocalStep::fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) {
+Lanes CubicLocalStep::fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse,
+                          QuaternionLanes& rotations) {
   if (frames_.areIdentity()) return solve(batch, covariances, neverWorse, rotations);
   const QuaternionLanes before = frames_.intoFrames(batch, rotations);
   QuaternionLanes after = before;
@@ -89,7 +93,8 @@ Lanes CubicLocalStep::fit(std::size_t batch, const MatrixLanes& covariances, boo
 
 Lanes CubicLocalStep::solve(std::size_t batch, const MatrixLanes& M, bool neverWorse, QuaternionLanes& rotations) {
   const Lanes weights = weights_[batch];
-  const VectorLanes axes{splat(static_cast<float>(axes_.x())), splat(static_cast<float>(axes_.y())), splat(static_cast<float>(axes_.z()))};
+  const VectorLanes axes{splat(static_cast<float>(axes_.x())), splat(static_cast<float>(axes_.y())),
+                         splat(static_cast<float>(axes_.z()))};
   const CubicLanes vertices{M, normals_[batch], {weights * axes.x, weights * axes.y, weights * axes.z}};
   const QuaternionLanes guess = rotations;
   Lanes regularizers = solver_->solve(batch, vertices, rotations);

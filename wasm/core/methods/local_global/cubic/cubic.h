@@ -14,24 +14,26 @@ namespace whittle {
 enum class CubicSolverKind { exact, admm };
 
 struct CubicParameters {
-  double lambda = 0.2;      // λ, Eq. 1: cubeness of all vertices
-  Scalars lambdaPerVertex;  // λ of each vertex in its place, #V; or empty
-  Vec3 lambdaAxes = Vec3::Ones();             // what the cube takes λ times on each axis
-  NameOrRows<Polyhedron::Name> polyhedron;    // B, §4
+  double lambda = 0.2;                           // λ, Eq. 1: cubeness of all vertices
+  Scalars lambdaPerVertex;                       // λ of each vertex in its place, #V; or empty
+  Vec3 lambdaAxes = Vec3::Ones();                // what the cube takes λ times on each axis
+  NameOrRows<Polyhedron::Name> polyhedron;       // B, §4
   Quaternion orientation = kIdentityQuaternion;  // Q of all vertices
-  Quaternions frames;       // Q of single vertices, #V×4; or empty
+  Quaternions frames;                            // Q of single vertices, #V×4; or empty
   CubicSolverKind localStep = CubicSolverKind::exact;
   Handles handles;
   SolverParameters solver;
 };
 
-/// The local step of Cubic Stylization (2019, §3.1 and §4): max_R tr(R M) − λ a |B Qᵀ R n|₁ at every vertex, exactly or by the
-/// printed ADMM, with B the cube, a box of other weights on each axis or any polyhedron, and a frame Q. Without cubeness or
-/// without a normal it is the plain fit.
+/// The local step of Cubic Stylization (2019, §3.1 and §4): max_R tr(R M) − λ a |B Qᵀ R n|₁ at every vertex, exactly or
+/// by the printed ADMM, with B the cube, a box of other weights on each axis or any polyhedron, and a frame Q. Without
+/// cubeness or without a normal it is the plain fit.
 class CubicLocalStep : public LocalStep {
  public:
   using Parameters = CubicParameters;
-  static EngineValues engineValues(const CubicParameters& values) { return {Rigidity::arap, values.handles, values.solver}; }
+  static EngineValues engineValues(const CubicParameters& values) {
+    return {Rigidity::arap, values.handles, values.solver};
+  }
   /// Fails with `badParameter` where axes of different weight meet a polyhedron that has no axes.
   static Status check(const CubicParameters& values);
   static std::vector<std::string> warnings(const CubicParameters& values);

@@ -9,12 +9,12 @@ namespace whittle {
 
 namespace {
 
-constexpr double kImbalance = 10;      // μ: residuals further apart than this change the penalty …
-constexpr double kPenaltyFactor = 2;   // … by τ
+constexpr double kImbalance = 10;     // μ: residuals further apart than this change the penalty …
+constexpr double kPenaltyFactor = 2;  // … by τ
 const double kRoot3 = std::sqrt(3.0);
 
-/// The point z that minimises ½|z − x|² + t Σ l_j |b_j · z|: x less the nearest t Σ l_j u_j b_j with u in the box, by coordinate
-/// descent. For the cube one sweep is soft thresholding.
+/// The point z that minimises ½|z − x|² + t Σ l_j |b_j · z|: x less the nearest t Σ l_j u_j b_j with u in the box, by
+/// coordinate descent. For the cube one sweep is soft thresholding.
 Vec3 shrink(const Vec3& x, double t, const Polyhedron& polyhedron) {
   constexpr int kMaxSweeps = 100;
   constexpr double kStill = 1e-13;

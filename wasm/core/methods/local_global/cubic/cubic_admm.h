@@ -5,8 +5,8 @@
 
 namespace whittle {
 
-/// The printed local step (2019, §3.1 and, for polyhedra, §4): scaled ADMM. Penalty and tolerances are scaled with the vertex area, so that fine
-/// meshes are solved as far as coarse ones (the printed constants stop early there).
+/// The printed local step (2019, §3.1 and, for polyhedra, §4): scaled ADMM. Penalty and tolerances are scaled with the
+/// vertex area, so that fine meshes are solved as far as coarse ones (the printed constants stop early there).
 class CubicAdmm : public CubicSolver {
  public:
   struct Tolerances {
@@ -17,7 +17,8 @@ class CubicAdmm : public CubicSolver {
   };
 
   explicit CubicAdmm(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
-  CubicAdmm(const Polyhedron& polyhedron, const Tolerances& tolerances) : polyhedron_(polyhedron), tolerances_(tolerances) {}
+  CubicAdmm(const Polyhedron& polyhedron, const Tolerances& tolerances)
+      : polyhedron_(polyhedron), tolerances_(tolerances) {}
 
   void begin(std::size_t batches) override;
   Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) override;

@@ -33,10 +33,11 @@ Kinks activeKinks(const Vec3& s, const Vec3& weights, Vec3& u) {
   return kinks;
 }
 
-/// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns). Fails where the
-/// model has no maximum on the tangent space.
+/// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns). Fails
+/// where the model has no maximum on the tangent space.
 bool newtonStep(const RotationModel& model, const Vec3& s, const Kinks& kinks, const Vec3& weights, Vec3& w, Vec3& mu) {
-  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent space.
+  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent
+  // space.
   Mat3 H = model.H;
   Vec3 g = model.g;
   std::array<Vec3, 2> c;

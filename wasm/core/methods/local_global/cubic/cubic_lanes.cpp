@@ -7,13 +7,14 @@ namespace whittle {
 namespace {
 
 constexpr int kMaxNewtonSteps = 8;
-constexpr float kLongestTurn = 0.7f;   // radians; the model holds no further
-constexpr float kConverged = 1e-5f;    // |w|²; the error that the step leaves falls with |w|³, on the kinks after `settled`
-constexpr float kKink = 0.25f;         // share of u that decides whether a coordinate of R n stays at zero
-constexpr float kOutside = 1e-4f;      // by how much a subgradient may leave [−1, 1]; the gap is of its square
+constexpr float kLongestTurn = 0.7f;  // radians; the model holds no further
+constexpr float kConverged =
+    1e-5f;                      // |w|²; the error that the step leaves falls with |w|³, on the kinks after `settled`
+constexpr float kKink = 0.25f;  // share of u that decides whether a coordinate of R n stays at zero
+constexpr float kOutside = 1e-4f;  // by how much a subgradient may leave [−1, 1]; the gap is of its square
 constexpr float kRounding = 1e-6f;
 constexpr float kStill = kTurnOfRounding * kTurnOfRounding;
-constexpr float kDependent = 1e-6f;    // kinks whose constraints are that close to each other are not solved for
+constexpr float kDependent = 1e-6f;  // kinks whose constraints are that close to each other are not solved for
 
 struct VectorMask {
   LaneMask x, y, z;
@@ -29,14 +30,19 @@ struct ActiveKinks {
     largestX = (x >= y) & (x >= z);
     largestZ = ~largestX & (z > y);
     const LaneMask largestY = ~largestX & ~largestZ;
-    at = {decide(s.x, weights.x, largestX, u.x), decide(s.y, weights.y, largestY, u.y), decide(s.z, weights.z, largestZ, u.z)};
+    at = {decide(s.x, weights.x, largestX, u.x), decide(s.y, weights.y, largestY, u.y),
+          decide(s.z, weights.z, largestZ, u.z)};
   }
 
   /// Of three values by axis, those of the two axes that can have a kink. (x and y, x and z, or y and z.)
   template <typename T>
-  T first(const T& x, const T& y) const { return select(largestX, y, x); }
+  T first(const T& x, const T& y) const {
+    return select(largestX, y, x);
+  }
   template <typename T>
-  T second(const T& y, const T& z) const { return select(largestZ, y, z); }
+  T second(const T& y, const T& z) const {
+    return select(largestZ, y, z);
+  }
 
  private:
   /// The active set of u = clamp(u + s / kKink), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the sign.
@@ -73,11 +79,14 @@ struct Step {
   LaneMask valid;
 };
 
-/// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns); κ_j δu_j = μ_j.
-Step newtonStep(const RotationModelLanes& model, const VectorLanes& s, const ActiveKinks& kinks, const VectorLanes& weights) {
+/// Solves H w + C μ = g, Cᵀ w = −s on the kinks, with columns c_j = s × e_j (the way s_j goes when R turns); κ_j δu_j =
+/// μ_j.
+Step newtonStep(const RotationModelLanes& model, const VectorLanes& s, const ActiveKinks& kinks,
+                const VectorLanes& weights) {
   const Lanes zero = splat(0), one = splat(1);
   const VectorLanes penalty = keepEach(kinks.at, weights), pull{penalty.x * s.x, penalty.y * s.y, penalty.z * s.z};
-  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent space.
+  // A penalty on the constraints leaves the solution as it is and makes H definite wherever it is so on the tangent
+  // space.
   const InverseLanes H(penalized(model.H, penalty, s));
   const VectorLanes w = H.inverse * (model.g - cross(s, pull));
 
@@ -120,7 +129,8 @@ Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& 
     const VectorLanes pull{weights.x * next.x, weights.y * next.y, weights.z * next.z};
     const Lanes turnedNormal[] = {s.x, s.y, s.z};
     for (int i = 0; i < 3; ++i) {
-      A.m[i][0] -= turnedNormal[i] * pull.x, A.m[i][1] -= turnedNormal[i] * pull.y, A.m[i][2] -= turnedNormal[i] * pull.z;
+      A.m[i][0] -= turnedNormal[i] * pull.x, A.m[i][1] -= turnedNormal[i] * pull.y,
+          A.m[i][2] -= turnedNormal[i] * pull.z;
     }
     const RotationModelLanes model(A);
     const Step newton = newtonStep(model, s, kinks, weights);
@@ -153,7 +163,8 @@ Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& 
   const VectorLanes offKinks{keep(~kinksAtEnd.x, s.x), keep(~kinksAtEnd.y, s.y), keep(~kinksAtEnd.z, s.z)};
   rotations = nudged(rotations, cross(s, offKinks));
   u = {clamped(u.x), clamped(u.y), clamped(u.z)};
-  return {weights.x * absolute(offKinks.x) + weights.y * absolute(offKinks.y) + weights.z * absolute(offKinks.z), done & valid};
+  return {weights.x * absolute(offKinks.x) + weights.y * absolute(offKinks.y) + weights.z * absolute(offKinks.z),
+          done & valid};
 }
 
 }  // namespace whittle

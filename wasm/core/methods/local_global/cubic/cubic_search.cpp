@@ -15,20 +15,15 @@ constexpr int kSamples = 48;  // of a great circle, a multiple of 4 so that the 
 constexpr int kGoldenSteps = 45;
 constexpr double kParallel = 1e-9;  // radians
 
-/// The objective as a function of the turned normal s alone: the turn about s that is left has its best angle in closed form.
+/// The objective as a function of the turned normal s alone: the turn about s that is left has its best angle in closed
+/// form.
 class NormalObjective {
  public:
   explicit NormalObjective(const PolyhedralVertex& vertex)
-      : n_(vertex.n),
-        first_(n_.unitOrthogonal()),
-        second_(n_.cross(first_)),
-        ofNormal_(vertex.M.transpose() * n_),
-        ofFirst_(vertex.M.transpose() * first_),
-        ofSecond_(vertex.M.transpose() * second_),
-        cross_(ofFirst_.cross(ofSecond_)),
-        squares_(ofFirst_.squaredNorm() + ofSecond_.squaredNorm()),
-        weight_(vertex.weight),
-        polyhedron_(vertex.polyhedron) {}
+      : n_(vertex.n), first_(n_.unitOrthogonal()), second_(n_.cross(first_)), ofNormal_(vertex.M.transpose() * n_),
+        ofFirst_(vertex.M.transpose() * first_), ofSecond_(vertex.M.transpose() * second_),
+        cross_(ofFirst_.cross(ofSecond_)), squares_(ofFirst_.squaredNorm() + ofSecond_.squaredNorm()),
+        weight_(vertex.weight), polyhedron_(vertex.polyhedron) {}
 
   double operator()(const Vec3& s) const {
     const double x = s.dot(ofFirst_), y = s.dot(ofSecond_);
@@ -46,7 +41,7 @@ class NormalObjective {
   }
 
  private:
-  Vec3 n_, first_, second_;                   // right-handed
+  Vec3 n_, first_, second_;                     // right-handed
   Vec3 ofNormal_, ofFirst_, ofSecond_, cross_;  // Mᵀ times them
   double squares_;
   double weight_;
@@ -80,8 +75,8 @@ double localMaximum(const Function& f, double low, double high) {
   return (low + high) / 2;
 }
 
-/// All local maxima with b · s = 0. Not inlined: with -msimd128, Clang 14's superword (SLP) vectorizer then computes wrong
-/// maxima; the tests of the search show it.
+/// All local maxima with b · s = 0. Not inlined: with -msimd128, Clang 14's superword (SLP) vectorizer then computes
+/// wrong maxima; the tests of the search show it.
 [[gnu::noinline]] void searchCircle(const NormalObjective& objective, const Vec3& b, Best& best) {
   const Vec3 first = b.unitOrthogonal(), second = b.cross(first);
   const auto point = [&](double angle) -> Vec3 { return std::cos(angle) * first + std::sin(angle) * second; };
@@ -103,7 +98,8 @@ Vec3 crossingOf(const Vec3& a, const Vec3& b) {
   return sine > kParallel ? Vec3(crossing / sine) : Vec3(Vec3::Zero());
 }
 
-/// The fit of every cell between the great circles, each once: a cell has a corner where two circles cross, or all rows are parallel.
+/// The fit of every cell between the great circles, each once: a cell has a corner where two circles cross, or all rows
+/// are parallel.
 class CellSearch {
  public:
   CellSearch(const PolyhedralVertex& vertex, const NormalObjective& objective, const Mat3& guess)
@@ -126,7 +122,8 @@ class CellSearch {
     const Vec3 alongA = a.cross(crossing), alongB = b.cross(crossing);
     for (const double side : {1, -1}) {
       for (const double first : {1, -1}) {
-        for (const double second : {1, -1}) offerCellAt(side * crossing + kAside * (first * alongA + second * alongB), best);
+        for (const double second : {1, -1})
+          offerCellAt(side * crossing + kAside * (first * alongA + second * alongB), best);
       }
     }
   }

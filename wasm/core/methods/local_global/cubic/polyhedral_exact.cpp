@@ -8,7 +8,8 @@ namespace whittle {
 Lanes PolyhedralExact::solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) {
   const QuaternionLanes before = rotations;
   SubgradientLanes& u = subgradients_[batch];
-  auto [regularizers, certified] = climbPolyhedral(vertices.M, vertices.n, vertices.weights.x, polyhedron_, u, rotations);
+  auto [regularizers, certified] =
+      climbPolyhedral(vertices.M, vertices.n, vertices.weights.x, polyhedron_, u, rotations);
   if (all(certified)) return regularizers;
   for (int lane = 0; lane < 4; ++lane) {
     if (certified[lane]) continue;

@@ -5,7 +5,8 @@
 
 namespace whittle {
 
-/// The local step for any polyhedron, exactly: four vertices at a time; what that does not certify goes to `searchCubic`.
+/// The local step for any polyhedron, exactly: four vertices at a time; what that does not certify goes to
+/// `searchCubic`.
 class PolyhedralExact : public CubicSolver {
  public:
   explicit PolyhedralExact(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}

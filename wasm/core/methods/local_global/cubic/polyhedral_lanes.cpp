@@ -14,17 +14,15 @@ constexpr float kKink = 0.25f;        // share of u that decides whether a row s
 constexpr float kOutside = 1e-4f;     // by how much a subgradient may leave [−1, 1]
 constexpr float kRounding = 1e-6f;
 /// ρ, for covariances of size 1: each step leaves about 1/ρ of a violated constraint.
-constexpr float kPenalty = 50;        // on kinks that turn away, of the size of M
+constexpr float kPenalty = 50;  // on kinks that turn away, of the size of M
 
 /// A polyhedron's rows in single precision.
 struct Row {
   float x, y, z, length;
 
   Row(const Polyhedron& polyhedron, Index j)
-      : x(static_cast<float>(polyhedron.rows[j].x())),
-        y(static_cast<float>(polyhedron.rows[j].y())),
-        z(static_cast<float>(polyhedron.rows[j].z())),
-        length(static_cast<float>(polyhedron.lengths[j])) {}
+      : x(static_cast<float>(polyhedron.rows[j].x())), y(static_cast<float>(polyhedron.rows[j].y())),
+        z(static_cast<float>(polyhedron.rows[j].z())), length(static_cast<float>(polyhedron.lengths[j])) {}
 
   Lanes dot(const VectorLanes& s) const { return x * s.x + y * s.y + z * s.z; }
   /// s × b, the way b · s goes when s turns.
@@ -76,7 +74,8 @@ PolyhedralClimb climbPolyhedral(const MatrixLanes& M, const VectorLanes& n, Lane
     valid &= inverse.definite | done;
     const VectorLanes newton = inverse.inverse * g;
     const Lanes squaredTurn = dot(newton, newton);
-    const Lanes share = select(squaredTurn > kLongestTurn * kLongestTurn, kLongestTurn / squareRoot(squaredTurn), splat(1));
+    const Lanes share =
+        select(squaredTurn > kLongestTurn * kLongestTurn, kLongestTurn / squareRoot(squaredTurn), splat(1));
     const VectorLanes w = keep(valid & ~done, share * newton);
     rotations = turned(rotations, keep(squaredTurn > kTurnOfRounding * kTurnOfRounding, w));
 

@@ -24,10 +24,10 @@ Choices<Polyhedron::Name> Polyhedron::names() {
 Polyhedron Polyhedron::named(Name name) {
   Polyhedron result;
   switch (name) {
-    case Name::cube:
-      return box(Vec3::Ones());
+    case Name::cube: return box(Vec3::Ones());
     case Name::hexagonalPrism:  // upright: y is up
-      for (const Vec3& side : {Vec3(2, 0, 0), Vec3(1, 0, std::sqrt(3.0)), Vec3(-1, 0, std::sqrt(3.0))}) add(result, side, 2.0 / 3);
+      for (const Vec3& side : {Vec3(2, 0, 0), Vec3(1, 0, std::sqrt(3.0)), Vec3(-1, 0, std::sqrt(3.0))})
+        add(result, side, 2.0 / 3);
       add(result, Vec3::UnitY(), 1);
       break;
     case Name::rhombicDodecahedron:
@@ -67,7 +67,8 @@ double Polyhedron::support(const Vec3& s) const {
   return sum;
 }
 
-PolyhedralVertex::PolyhedralVertex(const CubicVertex& cubic) : M(cubic.M), n(cubic.n), weight(cubic.weights.maxCoeff()) {
+PolyhedralVertex::PolyhedralVertex(const CubicVertex& cubic)
+    : M(cubic.M), n(cubic.n), weight(cubic.weights.maxCoeff()) {
   if (weight > 0) polyhedron = Polyhedron::box(cubic.weights / weight);
 }
 

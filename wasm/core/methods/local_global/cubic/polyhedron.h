@@ -7,8 +7,8 @@
 
 namespace whittle {
 
-/// A polyhedral style (2019, §4): the regularizer κ Σ_j l_j |b_j · R n| is the support function of the zonotope with edges l_j b_j, whose
-/// faces the shape takes on. Always centrally symmetric.
+/// A polyhedral style (2019, §4): the regularizer κ Σ_j l_j |b_j · R n| is the support function of the zonotope with
+/// edges l_j b_j, whose faces the shape takes on. Always centrally symmetric.
 struct Polyhedron {
   static constexpr Index kMostRows = 12;
   enum class Name { cube, hexagonalPrism, rhombicDodecahedron, truncatedOctahedron };
@@ -40,7 +40,9 @@ struct PolyhedralVertex {
   PolyhedralVertex(const Mat3& M, const Vec3& n, double weight, const Polyhedron& polyhedron)
       : M(M), n(n), weight(weight), polyhedron(polyhedron) {}
 
-  double objective(const Mat3& R) const { return R.cwiseProduct(M.transpose()).sum() - weight * polyhedron.support(R * n); }
+  double objective(const Mat3& R) const {
+    return R.cwiseProduct(M.transpose()).sum() - weight * polyhedron.support(R * n);
+  }
   /// M − κ n yᵀ with y = Σ_j l_j u_j b_j, u_j = ±1 the signs of b_j · s.
   Mat3 pulledAt(const Vec3& s) const;
 };

@@ -8,8 +8,8 @@
 
 namespace whittle {
 
-/// The frames Q_i in which vertices take on a style (2019, §4, local coordinate frames): the axes of the style as the columns of a
-/// rotation. The regularizer is |B Q_iᵀ R n|, so that it all comes to the usual step for M Q and Qᵀ R.
+/// The frames Q_i in which vertices take on a style (2019, §4, local coordinate frames): the axes of the style as the
+/// columns of a rotation. The regularizer is |B Q_iᵀ R n|, so that it all comes to the usual step for M Q and Qᵀ R.
 class StyleFrames {
  public:
   /// @param orientation the frame of all vertices
@@ -20,10 +20,13 @@ class StyleFrames {
   bool areIdentity() const { return frames_.empty(); }
 
   MatrixLanes covariances(std::size_t batch, const MatrixLanes& M) const { return M * toMatrix(frames_[batch]); }
-  QuaternionLanes intoFrames(std::size_t batch, const QuaternionLanes& rotations) const { return inverse(frames_[batch]) * rotations; }
+  QuaternionLanes intoFrames(std::size_t batch, const QuaternionLanes& rotations) const {
+    return inverse(frames_[batch]) * rotations;
+  }
   /// The way back. A rotation that did not change but for rounding keeps its bits, so that what is at rest stays there.
   /// @param before in the frames, of which `rotations` are the image outside
-  void outOfFrames(std::size_t batch, const QuaternionLanes& before, const QuaternionLanes& after, QuaternionLanes& rotations) const;
+  void outOfFrames(std::size_t batch, const QuaternionLanes& before, const QuaternionLanes& after,
+                   QuaternionLanes& rotations) const;
 
  private:
   std::vector<QuaternionLanes> frames_;  // Q; empty where all are the identity

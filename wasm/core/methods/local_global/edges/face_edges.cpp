@@ -23,7 +23,9 @@ FaceEdges::FaceEdges(const TriangleMesh& rest, const CornerScalars& halfCotangen
       }
     }
     const Mat3 g = cornerGradients(rest, halfCotangents, f);
-    const auto edgeTo = [&](int k) { return rest.positions.row(rest.triangles(f, k)) - rest.positions.row(rest.triangles(f, 0)); };
+    const auto edgeTo = [&](int k) {
+      return rest.positions.row(rest.triangles(f, k)) - rest.positions.row(rest.triangles(f, 0));
+    };
     Mat3 covariance = Mat3::Zero();
     for (int k = 1; k < 3; ++k) {
       setVector(faces.gradients[k - 1], lane, g.col(k));
@@ -42,7 +44,8 @@ double FaceEdges::gatherCovariances(const LaneRows& displacements, ElementRange 
     const VectorLanes toSecond = loadRows(displacements.data(), corners[1]) - origin;
     const VectorLanes toThird = loadRows(displacements.data(), corners[2]) - origin;
     const VectorLanes across = toThird - toSecond;
-    const VectorLanes second = c[0] * across - c[2] * toSecond, third = -(c[0] * across + c[1] * toThird);  // −L δ of the face
+    const VectorLanes second = c[0] * across - c[2] * toSecond,
+                      third = -(c[0] * across + c[1] * toThird);  // −L δ of the face
     energies += toDouble(c[0] * dot(across, across) + c[1] * dot(toThird, toThird) + c[2] * dot(toSecond, toSecond));
     MatrixLanes& M = *covariances = zeroMatrices();
     addOuter(M, splat(2) * g[0], toSecond);

@@ -22,9 +22,11 @@ struct WideSpoke {
 class RingCollector {
  public:
   RingCollector(const TriangleMesh& rest, const CornerScalars& halfCotangents)
-      : rest_(rest), halfCotangents_(halfCotangents), fans_(rest.triangles, rest.vertexCount()), place_(rest.vertexCount(), -1) {
+      : rest_(rest), halfCotangents_(halfCotangents), fans_(rest.triangles, rest.vertexCount()),
+        place_(rest.vertexCount(), -1) {
     gradients_.reserve(rest.faceCount());
-    for (Index f = 0; f < rest.faceCount(); ++f) gradients_.push_back(cornerGradients(rest, halfCotangents, f) / kVisits);
+    for (Index f = 0; f < rest.faceCount(); ++f)
+      gradients_.push_back(cornerGradients(rest, halfCotangents, f) / kVisits);
   }
 
   /// Into an empty list.
@@ -36,7 +38,8 @@ class RingCollector {
   /// M⁰_k
   Mat3 covariance(Index k, const std::vector<WideSpoke>& ring) const {
     Mat3 sum = Mat3::Zero();
-    for (const WideSpoke& spoke : ring) sum += spoke.gradient * (rest_.positions.row(spoke.neighbour) - rest_.positions.row(k));
+    for (const WideSpoke& spoke : ring)
+      sum += spoke.gradient * (rest_.positions.row(spoke.neighbour) - rest_.positions.row(k));
     return kScale * sum;
   }
 
@@ -66,7 +69,8 @@ class RingCollector {
 
 }  // namespace
 
-SpokesAndRims::SpokesAndRims(const TriangleMesh& rest, const CornerScalars& halfCotangents) : EdgeSet(rest.vertexCount(), rest.vertexCount()) {
+SpokesAndRims::SpokesAndRims(const TriangleMesh& rest, const CornerScalars& halfCotangents)
+    : EdgeSet(rest.vertexCount(), rest.vertexCount()) {
   RingCollector collector(rest, halfCotangents);
   std::vector<WideSpoke> rings[4];
   start_.assign(1, 0);
@@ -101,7 +105,7 @@ SpokesAndRims::SpokesAndRims(const TriangleMesh& rest, const CornerScalars& half
 }
 
 double SpokesAndRims::gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
-                                      LaneRows& residual) const {
+                                        LaneRows& residual) const {
   const LaneRow* rows = displacements.data();
   DoubleLanes energies{};
   for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b, ++covariances) {
@@ -127,7 +131,8 @@ double SpokesAndRims::gatherCovariances(const LaneRows& displacements, ElementRa
   return kVisits / 2 * sumOf(energies);  // each edge is seen from both of its ends
 }
 
-void SpokesAndRims::addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const {
+void SpokesAndRims::addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range,
+                                       LaneRows& residual) const {
   LaneRow* rows = residual.data();
   for (std::size_t b = range.firstBatch(); b < range.endBatch(); ++b, ++rotationChanges) {
     const MatrixLanes T = *rotationChanges;

@@ -4,8 +4,8 @@
 
 namespace whittle {
 
-/// Spokes and rims in ring form: Ĝ_kj = ⅓ Σ g_fj over the faces f that k and j share, so that M′_k = 6 Σ_j Ĝ_kj (δ_j − δ_k)ᵀ and
-/// b_j = Σ_k R_k Ĝ_kj, over the ring of each vertex.
+/// Spokes and rims in ring form: Ĝ_kj = ⅓ Σ g_fj over the faces f that k and j share, so that M′_k = 6 Σ_j Ĝ_kj (δ_j −
+/// δ_k)ᵀ and b_j = Σ_k R_k Ĝ_kj, over the ring of each vertex.
 class SpokesAndRims : public EdgeSet {
  public:
   SpokesAndRims(const TriangleMesh& rest, const CornerScalars& halfCotangents);
@@ -16,8 +16,8 @@ class SpokesAndRims : public EdgeSet {
   void addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const override;
 
  private:
-  /// One neighbour j of each of four vertices k. Where a ring is at its end before the others, k itself with zeros. Ĝ_kj is never longer
-  /// than the edges around it.
+  /// One neighbour j of each of four vertices k. Where a ring is at its end before the others, k itself with zeros.
+  /// Ĝ_kj is never longer than the edges around it.
   struct Spokes {
     VectorLanes gradients;  // Ĝ_kj
     Lanes weights;          // w_kj = Σ c, as in the Laplacian; zero of stiff edges

@@ -27,7 +27,8 @@ double StiffEdges::addForces(const Points& exact, LaneRows& residual) const {
       energy += spoke.weight * u.squaredNorm();
     }
     LaneRow& row = residual[vertices_[k]];
-    store(&row, load(&row) + Lanes{static_cast<float>(force[0]), static_cast<float>(force[1]), static_cast<float>(force[2]), 0});
+    store(&row, load(&row) +
+                    Lanes{static_cast<float>(force[0]), static_cast<float>(force[1]), static_cast<float>(force[2]), 0});
   }
   return energy / 2;  // each edge was seen from both of its ends
 }

@@ -6,9 +6,9 @@
 
 namespace whittle {
 
-/// Edges of thin faces. Their weights c are so large, and c δu cancels so much around a face, that single precision would lose what the
-/// rest of the mesh says. All of theirs is done in double precision, on displacements of their own for the vertices that they
-/// meet in. Few meshes have many.
+/// Edges of thin faces. Their weights c are so large, and c δu cancels so much around a face, that single precision
+/// would lose what the rest of the mesh says. All of theirs is done in double precision, on displacements of their own
+/// for the vertices that they meet in. Few meshes have many.
 class StiffEdges {
  public:
   /// Whether an edge of this weight belongs here. (Those of an equilateral face weigh 0.29 a side.)

@@ -12,20 +12,23 @@ struct AnalogyParameters {
   std::shared_ptr<const GaussMap> style;  // has to be given
   double lambda = 1;                      // λ, Eq. 3, of all vertices
   Rigidity regularizer = Rigidity::arap;
-  bool dynamicTargets = false;            // whether targets follow the output, §4.2
-  Scalars lambdaPerVertex;                // λ of each vertex in its place, #V; or empty
+  bool dynamicTargets = false;  // whether targets follow the output, §4.2
+  Scalars lambdaPerVertex;      // λ of each vertex in its place, #V; or empty
   Handles handles;
   SolverParameters solver;
 };
 
-/// The local step of Normal-Driven Spherical Shape Analogies (2021, Eq. 3 and §4.1): every element is drawn to the target normal that the
-/// style's Gauss map has for it.
+/// The local step of Normal-Driven Spherical Shape Analogies (2021, Eq. 3 and §4.1): every element is drawn to the
+/// target normal that the style's Gauss map has for it.
 ///
-/// Targets are those of the rest shape's normals, or (dynamic, §4.2) of the output's, looked up anew in every iteration.
+/// Targets are those of the rest shape's normals, or (dynamic, §4.2) of the output's, looked up anew in every
+/// iteration.
 class AnalogyLocalStep : public TargetedLocalStep {
  public:
   using Parameters = AnalogyParameters;
-  static EngineValues engineValues(const AnalogyParameters& values) { return {values.regularizer, values.handles, values.solver}; }
+  static EngineValues engineValues(const AnalogyParameters& values) {
+    return {values.regularizer, values.handles, values.solver};
+  }
   static Status check(const AnalogyParameters& values);
   static std::vector<std::string> warnings(const AnalogyParameters&) { return {}; }
 

@@ -14,8 +14,9 @@ struct DevelopableParameters {
   int maxIterations = 150;  // targets follow the output, so that nothing else says when to stop
 };
 
-/// The local step of developable surface approximation (2021, §5.2, App. E): every face is drawn to the normal that the rings around it propose,
-/// looked up from the output in every iteration, while triangles keep their shape and edges between them bend freely (FARAP).
+/// The local step of developable surface approximation (2021, §5.2, App. E): every face is drawn to the normal that the
+/// rings around it propose, looked up from the output in every iteration, while triangles keep their shape and edges
+/// between them bend freely (FARAP).
 class DevelopableLocalStep : public TargetedLocalStep {
  public:
   using Parameters = DevelopableParameters;

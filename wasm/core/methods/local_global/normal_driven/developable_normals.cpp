@@ -62,12 +62,14 @@ void DevelopableNormals::gatherRings(const Points& positions) {
   for (Index f = 0; f < triangles_->rows(); ++f) {
     const auto corners = triangles_->row(f);
     const Vec3 first = positions.row(corners[0]).transpose();
-    const Vec3 vector = (positions.row(corners[1]).transpose() - first).cross(positions.row(corners[2]).transpose() - first);
+    const Vec3 vector =
+        (positions.row(corners[1]).transpose() - first).cross(positions.row(corners[2]).transpose() - first);
     const Vec3 n = vector.stableNormalized();
     setRow(normals_[f], n);
     const Vec3 weighted = 0.5 * vector;  // area n
     const Mat3 C = weighted * n.transpose();
-    const Lanes upper{static_cast<float>(C(0, 0)), static_cast<float>(C(0, 1)), static_cast<float>(C(0, 2)), static_cast<float>(C(1, 1))};
+    const Lanes upper{static_cast<float>(C(0, 0)), static_cast<float>(C(0, 1)), static_cast<float>(C(0, 2)),
+                      static_cast<float>(C(1, 1))};
     const Lanes lower{static_cast<float>(C(1, 2)), static_cast<float>(C(2, 2)), 0, 0};
     for (int k = 0; k < 3; ++k) {
       add(rings_[corners[k]].upper, upper);
@@ -90,7 +92,8 @@ void DevelopableNormals::observe(const Points& positions) {
 Vec3 DevelopableNormals::operator()(Index face) const {
   const auto corners = triangles_->row(face);
   const Ring &a = rings_[corners[0]], &b = rings_[corners[1]], &c = rings_[corners[2]];
-  const Lanes upper = load(&a.upper) + load(&b.upper) + load(&c.upper), lower = load(&a.lower) + load(&b.lower) + load(&c.lower);
+  const Lanes upper = load(&a.upper) + load(&b.upper) + load(&c.upper),
+              lower = load(&a.lower) + load(&b.lower) + load(&c.lower);
   const auto& [x, y, z, spare] = normals_[face];
   return {upper[0] * x + upper[1] * y + upper[2] * z, upper[1] * x + upper[3] * y + lower[0] * z,
           upper[2] * x + lower[0] * y + lower[1] * z};

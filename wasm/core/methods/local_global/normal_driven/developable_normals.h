@@ -7,14 +7,15 @@
 
 namespace whittle {
 
-/// Face normals that a developable surface near the present one would have (2021, App. E). The normals n of a vertex' ring, with
-/// C = Σ area n nᵀ and its eigenvalues e0 ≥ e1 ≥ e2, belong to one common plane if e2 = 0, and are all the same if e1 = 0 too. So every
-/// vertex drops the direction of e2 from the normals around it, and that of e1 too where e1 / e0 lies below a threshold: there it wants to
-/// be flat, elsewhere bent one way, and between flat places creases are left. A face takes the mean of its corners' proposals.
+/// Face normals that a developable surface near the present one would have (2021, App. E). The normals n of a vertex'
+/// ring, with C = Σ area n nᵀ and its eigenvalues e0 ≥ e1 ≥ e2, belong to one common plane if e2 = 0, and are all the
+/// same if e1 = 0 too. So every vertex drops the direction of e2 from the normals around it, and that of e1 too where
+/// e1 / e0 lies below a threshold: there it wants to be flat, elsewhere bent one way, and between flat places creases
+/// are left. A face takes the mean of its corners' proposals.
 class DevelopableNormals {
  public:
-  /// @param creases share of the vertices of the rest shape, those of the largest e1 / e0, that may stay bent. e1 / e0 itself falls to a quarter
-  ///   with each subdivision, its quantiles stay with the shape
+  /// @param creases share of the vertices of the rest shape, those of the largest e1 / e0, that may stay bent. e1 / e0
+  ///   itself falls to a quarter with each subdivision, its quantiles stay with the shape
   void prepare(const TriangleMesh& rest, double creases);
 
   /// Looks at positions of the mesh. Allocates nothing.

@@ -6,8 +6,8 @@
 
 namespace whittle {
 
-/// What every element (a vertex, or a face for FARAP) pays for its distance from a target normal, λ a_k |s_k R_k n_k − t_k|² (2021, Eq. 3).
-/// That is linear in the rotation: a term of the covariance, M_k += 2 λ a_k n_k t_kᵀ.
+/// What every element (a vertex, or a face for FARAP) pays for its distance from a target normal, λ a_k |s_k R_k n_k −
+/// t_k|² (2021, Eq. 3). That is linear in the rotation: a term of the covariance, M_k += 2 λ a_k n_k t_kᵀ.
 class ElementTargets {
  public:
   /// Takes the elements of the rest shape, without targets yet; those without a normal never have one.
@@ -33,14 +33,16 @@ class ElementTargets {
   Scalars strengths_;
   Scalars energies_;  // λ a_k |n_k − t_k|²
   double energy_ = 0;
-  std::vector<VectorLanes> normalLanes_;  // n_k
+  std::vector<VectorLanes> normalLanes_;      // n_k
   std::vector<VectorLanes> weightedTargets_;  // 2 λ a_k t_k
 };
 
 /// The local step of all methods that draw normals to targets: the plain fit with the target term.
 class TargetedLocalStep : public LocalStep {
  public:
-  void addTargetTerm(std::size_t batch, MatrixLanes& covariances) const override { targets_.addTerm(batch, covariances); }
+  void addTargetTerm(std::size_t batch, MatrixLanes& covariances) const override {
+    targets_.addTerm(batch, covariances);
+  }
   double targetEnergy() const override { return targets_.energy(); }
   Scalars targetWeights() const override { return targets_.strengths(); }
   Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;

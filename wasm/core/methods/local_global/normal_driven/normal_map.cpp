@@ -11,7 +11,9 @@ Status NormalMapLocalStep::check(const NormalMapParameters& values) {
 
 std::vector<std::string> NormalMapLocalStep::warnings(const NormalMapParameters& values) {
   if (!values.image || !values.image->slopes.isZero(0)) return {};
-  return {"The image is flat, so it raises nothing: it may be of one colour, or a color texture in place of a normal or height map."};
+  return {
+      "The image is flat, so it raises nothing: it may be of one colour, or a color texture in place of a normal or "
+      "height map."};
 }
 
 void NormalMapLocalStep::prepare(const RestShape& rest, const NormalMapParameters& values) {

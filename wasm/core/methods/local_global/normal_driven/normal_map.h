@@ -18,12 +18,15 @@ struct NormalMapParameters {
   SolverParameters solver;
 };
 
-/// The local step of `normalmap` (2021, §6 and Fig. 22): every element is drawn to the normal that a texture has there, so that what
-/// was an image on the surface becomes its shape. Targets are those of the rest shape; they do not follow the output.
+/// The local step of `normalmap` (2021, §6 and Fig. 22): every element is drawn to the normal that a texture has there,
+/// so that what was an image on the surface becomes its shape. Targets are those of the rest shape; they do not follow
+/// the output.
 class NormalMapLocalStep : public TargetedLocalStep {
  public:
   using Parameters = NormalMapParameters;
-  static EngineValues engineValues(const NormalMapParameters& values) { return {values.regularizer, values.handles, values.solver}; }
+  static EngineValues engineValues(const NormalMapParameters& values) {
+    return {values.regularizer, values.handles, values.solver};
+  }
   static Status check(const NormalMapParameters& values);
   static std::vector<std::string> warnings(const NormalMapParameters& values);
 
