@@ -80,6 +80,7 @@ describe('arrows of the house', () => {
       'elimination_tree', // for the order of the vertices
       'graph',
       'columns',
+      'slices',
     ].map((name) => `linear/${name}.h`);
     const users = ['wasm/core', 'wasm/bindings', 'wasm/bench'].flatMap((folder) =>
       filesBelow(folder, /\.(h|cpp)$/),

@@ -7,8 +7,6 @@
 #include <set>
 
 #include "linear/elimination_tree.h"
-#include "linear/minimum_degree.h"
-#include "linear/nested_dissection.h"
 #include "linear/ordering.h"
 #include "linear/vertex_cover.h"
 #include "support/systems.h"

@@ -2,7 +2,30 @@
 
 #include <algorithm>
 
+#include "linear/minimum_degree.h"
+#include "linear/nested_dissection.h"
+
 namespace whittle::testing {
+
+namespace {
+
+template <typename Task>
+auto inOneGo(Task&& task) {
+  while (task.next() < 1) {}
+  return task.take();
+}
+
+}  // namespace
+
+std::vector<Index> minimumDegreeOrder(const Graph& graph) { return inOneGo(MinimumDegree(graph)); }
+
+std::vector<Index> nestedDissectionOrder(const Graph& graph, const Points& coordinates) {
+  return inOneGo(NestedDissection(graph, coordinates));
+}
+
+Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering) {
+  return inOneGo(SupernodeAnalysis(A, ordering));
+}
 
 Edges path(Index n) {
   Edges edges;

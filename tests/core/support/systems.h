@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "linear/graph.h"
+#include "linear/supernodes.h"
 #include "support/shapes.h"
 
 namespace whittle::testing {
@@ -31,6 +31,11 @@ Points randomPoints(Index n, Noise& noise);
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 Eigen::MatrixXd randomMatrix(Index rows, Index columns, Noise& noise);
+
+/// Orders (position → node) and supernodes, each made in one go.
+std::vector<Index> minimumDegreeOrder(const Graph& graph);
+std::vector<Index> nestedDissectionOrder(const Graph& graph, const Points& coordinates);
+Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering = {});
 
 /// A random number of a node, in [0, n).
 Index pick(Index n, Noise& noise);

@@ -9,13 +9,16 @@ namespace whittle {
 
 namespace {
 
-/// A X for a symmetric A, whose columns are its rows.
+/// A X for a symmetric A, of which only the lower triangle is read.
 template <typename Block>
 void multiply(const SparseMatrix& A, const Block& X, Block& AX) {
+  AX.setZero();
   for (Index column = 0; column < A.cols(); ++column) {
-    auto sum = AX.row(column);
-    sum.setZero();
-    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) sum += entry.value() * X.row(entry.row());
+    for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry) {
+      if (entry.row() < column) continue;
+      AX.row(entry.row()) += entry.value() * X.row(column);
+      if (entry.row() > column) AX.row(column) += entry.value() * X.row(entry.row());
+    }
   }
 }
 

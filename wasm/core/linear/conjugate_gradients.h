@@ -30,7 +30,7 @@ class ConjugateGradients {
   static constexpr Index kBatch = 24;
 
   /// Solves A X = B. Allocates only if the number of unknowns or of columns is not that of the call before.
-  /// @param A #unknowns×#unknowns, positive definite; both triangles are read
+  /// @param A #unknowns×#unknowns, positive definite; only the lower triangle is read
   /// @param B #unknowns×k
   /// @param X #unknowns×k, in: where to start; out: the solution, or the best that the limits allow
   /// @returns `numericalFailure` if A turns out to be indefinite or numbers are not finite; X is then where that was

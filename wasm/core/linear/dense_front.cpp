@@ -14,7 +14,6 @@ namespace {
 typedef double Lanes __attribute__((vector_size(16)));
 
 constexpr Index kTile = kFrontPadding + 1;  // rows and columns of a register tile: 8 accumulators
-constexpr Index kBlock = 24;  // columns factored at a time, so that a block of the panel stays in the first cache
 constexpr Index kDepth = 96;  // columns that a deep product takes at a time
 
 Lanes load(const double* p) {
@@ -61,8 +60,9 @@ void subtract(double* C, Index ldC, const Tile& tile, Index rows, Index columns)
   }
 }
 
-/// C −= A Bᵀ for A with zeros above row `begin` + l of each column l, which are skipped. Made for deep products: columns of A lie far apart, so
-/// they come a few at a time, and rows of those meet all columns of C while they are in the first cache.
+/// C −= A Bᵀ for A with zeros above row `begin` + l of each column l, which are skipped. Made for deep products:
+/// columns of A lie far apart, so they come a few at a time, and rows of those meet all columns of C while they are in
+/// the first cache.
 void subtractDeepProduct(double* C, Index ldC, const double* A, Index ldA, Index begin, const double* B, Index ldB, Index rows,
                          Index columns, Index depth) {
   for (Index from = 0; from < depth; from += kDepth) {
@@ -118,8 +118,20 @@ void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const dou
   }
 }
 
-void invertPanel(const double* factor, double* inverse, double* scratch, Index rows, Index columns) {
-  // [I; −L21] L11⁻¹, block by block of columns from the right.
+bool factorPanelBlock(double* panel, Index rows, Index columns, Index first) {
+  const Index width = std::min(kFrontBlock, columns - first);
+  double* block = panel + first + static_cast<std::ptrdiff_t>(first) * rows;
+  if (!factorBlock(block, rows, rows - first, width)) return false;
+  const Index rest = columns - first - width;
+  if (rest > 0) {
+    double* remaining = block + width + static_cast<std::ptrdiff_t>(width) * rows;
+    subtractProduct(remaining, rows, block + width, rows, block + width, rows, rows - first - width, rest, width, true);
+  }
+  return true;
+}
+
+void beginInverse(const double* factor, double* inverse, Index rows, Index columns) {
+  // [I; −L21], which is multiplied by L11⁻¹ block by block of columns from the right.
   for (Index j = 0; j < columns; ++j) {
     double* column = inverse + static_cast<std::ptrdiff_t>(j) * rows;
     const double* L = factor + static_cast<std::ptrdiff_t>(j) * rows;
@@ -127,40 +139,26 @@ void invertPanel(const double* factor, double* inverse, double* scratch, Index r
     column[j] = 1;
     for (Index i = columns; i < rows; ++i) column[i] = -L[i];
   }
-  for (Index end = columns; end > 0;) {
-    const Index first = std::max<Index>(0, end - kBlock), width = end - first, later = columns - end;
-    double* block = inverse + static_cast<std::ptrdiff_t>(first) * rows;
-    for (Index l = 0; l < later; ++l) {
-      const double* row = factor + end + l + static_cast<std::ptrdiff_t>(first) * rows;
-      for (Index j = 0; j < width; ++j) scratch[j + l * width] = row[static_cast<std::ptrdiff_t>(j) * rows];
-    }
-    const double* solved = inverse + static_cast<std::ptrdiff_t>(end) * rows;
-    // A column that is solved already begins at its own row.
-    subtractDeepProduct(block + first, rows, solved + first, rows, width, scratch, width, rows - first, width, later);
-    for (Index j = width - 1; j >= 0; --j) {
-      double* column = block + static_cast<std::ptrdiff_t>(j) * rows;
-      const double* L = factor + static_cast<std::ptrdiff_t>(first + j) * rows + first;
-      const Index below = first + j + 1;  // where the columns to the right begin
-      subtractColumns(column + below, column + rows + below, rows, L + j + 1, 1, width - j - 1, rows - below);
-      const double inversePivot = 1 / L[j];
-      for (Index i = first + j; i < rows; ++i) column[i] *= inversePivot;
-    }
-    end = first;
-  }
 }
 
-bool factorPanel(double* panel, Index rows, Index columns) {
-  for (Index first = 0; first < columns; first += kBlock) {
-    const Index width = std::min(kBlock, columns - first);
-    double* block = panel + first + static_cast<std::ptrdiff_t>(first) * rows;
-    if (!factorBlock(block, rows, rows - first, width)) return false;
-    const Index rest = columns - first - width;
-    if (rest > 0) {
-      double* remaining = block + width + static_cast<std::ptrdiff_t>(width) * rows;
-      subtractProduct(remaining, rows, block + width, rows, block + width, rows, rows - first - width, rest, width, true);
-    }
+void invertPanelBlock(const double* factor, double* inverse, double* scratch, Index rows, Index columns, Index end) {
+  const Index first = std::max<Index>(0, end - kFrontBlock), width = end - first, later = columns - end;
+  double* block = inverse + static_cast<std::ptrdiff_t>(first) * rows;
+  for (Index l = 0; l < later; ++l) {
+    const double* row = factor + end + l + static_cast<std::ptrdiff_t>(first) * rows;
+    for (Index j = 0; j < width; ++j) scratch[j + l * width] = row[static_cast<std::ptrdiff_t>(j) * rows];
   }
-  return true;
+  const double* solved = inverse + static_cast<std::ptrdiff_t>(end) * rows;
+  // A column that is solved already begins at its own row.
+  subtractDeepProduct(block + first, rows, solved + first, rows, width, scratch, width, rows - first, width, later);
+  for (Index j = width - 1; j >= 0; --j) {
+    double* column = block + static_cast<std::ptrdiff_t>(j) * rows;
+    const double* L = factor + static_cast<std::ptrdiff_t>(first + j) * rows + first;
+    const Index below = first + j + 1;  // where the columns to the right begin
+    subtractColumns(column + below, column + rows + below, rows, L + j + 1, 1, width - j - 1, rows - below);
+    const double inversePivot = 1 / L[j];
+    for (Index i = first + j; i < rows; ++i) column[i] *= inversePivot;
+  }
 }
 
 }  // namespace whittle

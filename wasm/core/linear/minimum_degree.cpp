@@ -13,57 +13,16 @@ namespace {
 
 constexpr Index kNone = -1;
 
-/// Elimination on the quotient graph. An eliminated node p becomes an element: the clique that it leaves is kept as the list of its
-/// variables, L_p, and never written out. Variables that nothing tells apart any more become one of larger weight. The list of a
-/// variable holds its elements, then its variables; it only shrinks, so it stays in its place, and what is dead in it is
-/// dropped when it is looked through.
-class MinimumDegree {
- public:
-  explicit MinimumDegree(const Graph& graph);
-  std::vector<Index> order();
+// What an elimination costs, in the units of `slices.h`: of itself, and for each variable around it.
+constexpr double kPivotWork = 1000;
+constexpr double kVariableWork = 750;
 
- private:
-  /// |L_e \ L_p| of an element e, for the pivot p that it was measured for.
-  struct Outside {
-    Index pivot, weight;
-  };
-
-  void takeIn(const Graph& graph);
-  Index nextPivot();
-  void formElement(Index pivot);
-  void gather(const Index* list, Index count);
-  void measureOutside(Index pivot);
-  void updateVariables(Index pivot);
-  Index dropDead(Index pivot, Index variable, std::uint32_t& hash);
-  void mergeTwins(Index pivot);
-  void mergeInto(Index variable);
-  void closeElement(Index pivot);
-  void link(Index variable, Index degree);
-  void unlink(Index variable);
-  void eliminate(Index variable);
-
-  const Index n_;
-  std::vector<Index> lists_;  // of variables, then of elements as they are formed
-  Index listsEnd_ = 0;
-  std::vector<Index> start_, size_;  // of each node's list
-  std::vector<Index> elements_;      // how many of a variable's list are elements
-  std::vector<Index> weight_;        // nodes in each variable, below 0 while it is in L_p; 0: not a variable any more
-  std::vector<Index> member_;        // rings of the nodes of each variable
-  std::vector<Index> degree_;        // of a variable, at most; of an element |L_e|, 0 once it is dead
-  std::vector<Outside> outside_;     // of elements
-  std::vector<Index> head_, next_, previous_;  // variables by degree
-  std::vector<Index> bucket_;  // variables of L_p by the hash of their lists, chained by `next_`; `previous_` holds the hash
-  std::vector<Index> seen_;    // the comparison that last met a node
-  Index comparison_ = 0;
-  Index lowestDegree_ = 0;
-  Index elementWeight_ = 0;  // |L_p|
-  Index alive_;              // nodes not eliminated yet, dense ones left out
-  std::vector<Index> order_;
-};
+}  // namespace
 
 MinimumDegree::MinimumDegree(const Graph& graph)
-    : n_(graph.size()), lists_(2 * graph.neighbours.size()), start_(n_), size_(n_), elements_(n_, 0), weight_(n_, 1), member_(n_),
-      degree_(n_), outside_(n_, {kNone, 0}), head_(n_, kNone), next_(n_), previous_(n_), bucket_(n_, kNone), seen_(n_, 0), alive_(n_) {
+    : n_(graph.size()), lists_(2 * graph.neighbours.size()), start_(n_), size_(n_), elements_(n_, 0), weight_(n_, 1),
+      member_(n_), degree_(n_), outside_(n_, {kNone, 0}), head_(n_, kNone), next_(n_), previous_(n_), bucket_(n_, kNone),
+      seen_(n_, 0), alive_(n_) {
   std::iota(member_.begin(), member_.end(), 0);
   order_.reserve(n_);
   takeIn(graph);
@@ -74,7 +33,10 @@ void MinimumDegree::takeIn(const Graph& graph) {
   for (Index node = 0; node < n_; ++node) {
     start_[node] = graph.start[node];
     size_[node] = degree_[node] = graph.start[node + 1] - graph.start[node];
-    if (degree_[node] > densest) weight_[node] = 0, --alive_;
+    if (degree_[node] <= densest) continue;
+    weight_[node] = 0;
+    dense_.push_back(node);
+    --alive_;
   }
   std::copy(graph.neighbours.begin(), graph.neighbours.end(), lists_.begin());
   listsEnd_ = static_cast<Index>(graph.neighbours.size());
@@ -83,20 +45,21 @@ void MinimumDegree::takeIn(const Graph& graph) {
   }
 }
 
-std::vector<Index> MinimumDegree::order() {
-  std::vector<Index> dense;
-  for (Index node = 0; node < n_; ++node) {
-    if (weight_[node] == 0) dense.push_back(node);
-  }
-  while (alive_ > 0) {
+double MinimumDegree::next(double work) {
+  for (; alive_ > 0 && work > 0; work -= kPivotWork) {
     const Index pivot = nextPivot();
     formElement(pivot);
     measureOutside(pivot);
     updateVariables(pivot);
+    work -= kVariableWork * size_[pivot];
     mergeTwins(pivot);
     closeElement(pivot);
   }
-  order_.insert(order_.end(), dense.begin(), dense.end());
+  return alive_ > 0 ? static_cast<double>(order_.size()) / n_ : 1;
+}
+
+std::vector<Index> MinimumDegree::take() {
+  order_.insert(order_.end(), dense_.begin(), dense_.end());
   return std::move(order_);
 }
 
@@ -123,7 +86,7 @@ WHITTLE_OWN_FUNCTION Index MinimumDegree::nextPivot() {
   return pivot;
 }
 
-/// Its nodes come next in the order.
+/// Puts the variable's nodes next in the order.
 void MinimumDegree::eliminate(Index variable) {
   alive_ -= std::abs(weight_[variable]);
   weight_[variable] = 0;
@@ -134,7 +97,7 @@ void MinimumDegree::eliminate(Index variable) {
   } while (node != variable);
 }
 
-/// L_p: the pivot's variables and those of its elements, which it absorbs.
+/// Forms L_p: the pivot's variables and those of its elements, which it absorbs.
 WHITTLE_OWN_FUNCTION void MinimumDegree::formElement(Index pivot) {
   const Index begin = start_[pivot], elementsEnd = begin + elements_[pivot], end = begin + size_[pivot];
   Index most = end - elementsEnd;
@@ -194,8 +157,9 @@ WHITTLE_OWN_FUNCTION void MinimumDegree::updateVariables(Index pivot) {
   }
 }
 
-/// Drops from a variable's list what is dead or in L_p, elements inside L_p too, and puts the pivot first, which it has room for
-/// because the list held the pivot or an element that it absorbed. Returns the weight of what is left, overlaps counted twice.
+/// Drops from a variable's list what is dead or in L_p, elements inside L_p too, and puts the pivot first, which it has
+/// room for because the list held the pivot or an element that it absorbed. Returns the weight of what is left,
+/// overlaps counted twice.
 Index MinimumDegree::dropDead(Index pivot, Index variable, std::uint32_t& hash) {
   Index* const lists = lists_.data();
   const Index begin = start_[variable], elementsEnd = begin + elements_[variable], end = begin + size_[variable];
@@ -272,9 +236,5 @@ WHITTLE_OWN_FUNCTION void MinimumDegree::closeElement(Index pivot) {
   size_[pivot] = kept - begin;
   degree_[pivot] = elementWeight_;
 }
-
-}  // namespace
-
-std::vector<Index> minimumDegreeOrder(const Graph& graph) { return MinimumDegree(graph).order(); }
 
 }  // namespace whittle

@@ -9,17 +9,17 @@
 #include "linear/columns.h"
 #include "linear/conjugate_gradients.h"
 #include "linear/ordering.h"
+#include "linear/slices.h"
 
 namespace whittle {
 
 /// Cholesky factorization P A Pᵀ = L Lᵀ of a sparse symmetric positive definite matrix, in three stages so that a
 /// caller repeats only what changed: `analyze` for a new pattern, `factorize` for new values, `solve` for a new
-/// right-hand side.
+/// right-hand side. The first two can be done in slices (`slices.h`).
 ///
 /// The factorization is in double precision; what is kept of it for the solves is rounded once to single precision. So
 /// a solution by `solve` is good to about 1e-6 of its size, which is enough for callers that solve for a correction of
-/// what they have, as iterations do; `solveRefined` gives double precision. Of A only the lower triangle is read, but
-/// by `solveRefined`.
+/// what they have, as iterations do; `solveRefined` gives double precision. Of A only the lower triangle is read.
 class SparseCholesky {
  public:
   SparseCholesky();
@@ -31,16 +31,29 @@ class SparseCholesky {
   /// Where unknowns come in blocks, their number must be a multiple of the block size; entries may be missing inside
   /// blocks.
   void analyze(const SparseMatrix& A, const Ordering& ordering = {});
-  /// Analyzes for a caller whose right-hand sides stand in rows of their own, where `solve(LaneRow*)` then solves them.
+
+  /// Begins to analyze; `analyzeNext` does it slice by slice. A and the coordinates are kept by the caller until then.
+  void beginAnalyze(const SparseMatrix& A, const Ordering& ordering = {});
+  /// Begins to analyze for a caller whose right-hand sides stand in rows of their own, where `solve(LaneRow*)` then
+  /// solves them.
   /// @param rowOf the row of each unknown
   /// @param spare a row that nobody reads
-  void analyze(const SparseMatrix& A, const Ordering& ordering, const std::vector<Index>& rowOf, Index spare);
+  void beginAnalyze(const SparseMatrix& A, const Ordering& ordering, std::vector<Index> rowOf, Index spare);
+  /// Does a slice; returns the share that is done.
+  double analyzeNext(double work = kSliceWork);
 
   /// Computes L for a matrix of the analyzed pattern. Fails with `numericalFailure` if A is not positive definite
   /// or singular to working precision.
   /// @param keepWorkspace keep the working memory for the next factorization, which then allocates nothing; for callers
   ///   that factorize often. Without it that memory is free as soon as L is there.
   Status factorize(const SparseMatrix& A, bool keepWorkspace = false);
+
+  /// Begins to factorize; `factorizeNext` does it slice by slice. A is kept by the caller until then; the factor that
+  /// was there is lost.
+  void beginFactorize(const SparseMatrix& A, bool keepWorkspace = false);
+  /// Does a slice.
+  /// @param share out: the share of the work that is done; 1 after a failure, too
+  Status factorizeNext(double& share, double work = kSliceWork);
 
   /// Overwrites right-hand sides (#unknowns×k, any k, rows or columns contiguous or not) with the solutions. Up to 24
   /// columns share a pass over L, which costs hardly more than its arithmetic: for many right-hand sides give them at
@@ -59,7 +72,6 @@ class SparseCholesky {
   ///   (with weights between half and twice the old ones, about 12 for a residual of 1e-6).
   ///
   /// Allocates only if k is not that of the call before.
-  /// @param A both triangles are read
   /// @param B #unknowns×k, any k; not the memory of X
   /// @param X #unknowns×k, in: where to start, zero if nothing is known; out: the solution
   /// @returns `numericalFailure` if A turns out to be indefinite or numbers are not finite; X is then where that was

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "linear/elimination_tree.h"
 #include "linear/ordering.h"
 
 namespace whittle {
@@ -21,9 +24,29 @@ struct Supernodes {
   const Index* rowsOf(Index s) const { return rows.data() + rowStart[s]; }
 };
 
-/// Orders the unknowns of A for a sparse factor and finds its supernodes. Columns with nearly equal patterns are taken
-/// together: a few stored zeros cost less than many small panels. Where unknowns come in blocks, the graph of their nodes is
-/// what is ordered and analyzed, so the columns of a supernode come in whole blocks.
-Supernodes analyzeSupernodes(const SparseMatrix& A, const Ordering& ordering = {});
+/// Orders the unknowns of A for a sparse factor and finds its supernodes, in slices. Columns with nearly equal patterns
+/// are taken together: a few stored zeros cost less than many small panels. Where unknowns come in blocks, the graph of
+/// their nodes is what is ordered and analyzed, so the columns of a supernode come in whole blocks.
+class SupernodeAnalysis {
+ public:
+  /// @param A to be kept by the caller until the analysis is done, like the coordinates
+  SupernodeAnalysis(const SparseMatrix& A, const Ordering& ordering) : A_(A), settings_(ordering) {}
+
+  /// Does a slice; returns the share that is done.
+  double next(double work = kSliceWork);
+  Supernodes take() { return std::move(result_); }
+
+ private:
+  void buildTree();
+  void findSupernodes();
+
+  const SparseMatrix& A_;
+  Ordering settings_;
+  int stage_ = 0;
+  Graph graph_;
+  std::optional<EliminationOrdering> ordering_;
+  EliminationTree tree_;
+  Supernodes result_;
+};
 
 }  // namespace whittle
