@@ -31,7 +31,8 @@ WHITTLE_OWN_FUNCTION void hang(const Graph& graph, Index node, const Index* posi
   }
 }
 
-/// Children before parents, subtrees in one piece: new position → old one. From the end: a tree's root is the last of its piece.
+/// Children before parents, subtrees in one piece: new position → old one. From the end: a tree's root is the last of
+/// its piece.
 std::vector<Index> postorder(const std::vector<Index>& parent) {
   const Index n = static_cast<Index>(parent.size());
   std::vector<Index> size(n + 1, 1);  // of subtrees; the last is all of them
@@ -49,7 +50,8 @@ std::vector<Index> postorder(const std::vector<Index>& parent) {
   return order;
 }
 
-/// Finds the column counts as sums over subtrees: each row of L is a subtree, whose leaves and branchings are enough to count it.
+/// Finds the column counts as sums over subtrees: each row of L is a subtree, whose leaves and branchings are enough to
+/// count it.
 class ColumnCounter {
  public:
   ColumnCounter(const Graph& graph, const EliminationTree& tree)
@@ -109,11 +111,12 @@ Index ColumnCounter::root(Index v) {
 
 }  // namespace
 
-EliminationTree eliminationTree(const Graph& graph, const std::vector<Index>& order) {
+EliminationTree eliminationTree(const Graph& graph, const std::vector<Index>& order, Index kept) {
   const Index n = graph.size();
   const std::vector<Index> given = inverse(order);
   std::vector<Index> parent(n, kNone), ancestor(n, kNone);
   for (const Index node : order) hang(graph, node, given.data(), ancestor.data(), parent.data());
+  for (Index v = n - kept; v < n; ++v) parent[v] = v + 1 < n ? v + 1 : kNone;
 
   EliminationTree tree{postorder(parent), {}, std::vector<Index>(n)};
   const std::vector<Index> moved = inverse(tree.order);

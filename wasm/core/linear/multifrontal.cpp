@@ -120,6 +120,17 @@ void Multifrontal::takeUpdate(Index child, const double* update) {
   }
 }
 
+void Multifrontal::listRemaining(std::vector<Eigen::Triplet<double, Index>>& entries) const {
+  const double* update = stack_.data();
+  for (const Index s : waiting_) {
+    const Index size = updateSize(s);
+    const Index* rows = supernodes_->rowsOf(s) + supernodes_->columns(s);
+    for (Index j = 0; j < size; ++j, update += size) {
+      for (Index i = j; i < size; ++i) entries.emplace_back(rows[i], rows[j], update[i]);
+    }
+  }
+}
+
 bool Multifrontal::factorBlock(double& work) {
   if (!factorPanelBlock(front_.data(), height_, columns_, at_)) return false;
   work -= factorWork(height_, columns_, at_);

@@ -29,6 +29,9 @@ class Multifrontal {
   /// [L11⁻¹; −L21 L11⁻¹] of the front that is done, column-major.
   const double* inverse() const { return inverse_.data(); }
 
+  /// Adds to a list the updates that no front has taken in: those of kept unknowns (lower triangle, by position).
+  void listRemaining(std::vector<Eigen::Triplet<double, Index>>& entries) const;
+
   /// The work on a front, in the units of `slices.h`.
   static double workOf(Index columns, Index height);
 

@@ -28,9 +28,13 @@ class NumericFactorization {
   /// @param share out: of the work that is done
   Status next(double& share, double work);
 
+  /// What elimination has left in the kept unknowns: S = A_kk − A_ke A_ee⁻¹ A_ek, the lower triangle, numbered from 0.
+  SparseMatrix takeSchurComplement() { return std::move(schur_); }
+
  private:
   void open();
   bool close();
+  void formSchurComplement();
 
   const Supernodes& supernodes_;
   const EntryPlaces& entries_;
@@ -46,6 +50,7 @@ class NumericFactorization {
   bool isOpen_ = false;     // the front of the supernode
   Index supernode_ = 0;
   double doneWork_ = 0;
+  SparseMatrix schur_;
 };
 
 }  // namespace whittle

@@ -10,7 +10,7 @@
 namespace whittle {
 
 /// The pattern of L as dense panels: runs of columns that share their rows. A panel of k columns and m rows holds m×k
-/// entries; its first k rows are its own columns.
+/// entries; its first k rows are its own columns. Unknowns that are kept have no column, only rows.
 struct Supernodes {
   std::vector<Index> newOf;        // #unknowns: position of each unknown in the factor's order
   std::vector<Index> columnStart;  // #supernodes + 1: first column of each
@@ -37,7 +37,7 @@ class SupernodeAnalysis {
   Supernodes take() { return std::move(result_); }
 
  private:
-  void buildTree();
+  std::vector<Index> order();
   void findSupernodes();
 
   const SparseMatrix& A_;
