@@ -63,7 +63,8 @@ void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& orderin
   parts_->lanes.assign(unknowns + 1, {});
 }
 
-void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& ordering, std::vector<Index> rowOf, Index spare) {
+void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& ordering, std::vector<Index> rowOf,
+                                  Index spare) {
   parts_->rowCount = 1 + std::max(spare, rowOf.empty() ? 0 : *std::max_element(rowOf.begin(), rowOf.end()));
   parts_->rowOf = std::move(rowOf);
   parts_->spare = spare;
@@ -101,10 +102,13 @@ double SparseCholesky::analyzeNext(double work) {
 
 void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering) {
   beginAnalyze(A, ordering);
-  while (analyzeNext() < 1) {}
+  while (analyzeNext() < 1) {
+  }
 }
 
-void SparseCholesky::beginFactorize(const SparseMatrix& A, bool keepWorkspace) { parts_->numeric.begin(A, keepWorkspace); }
+void SparseCholesky::beginFactorize(const SparseMatrix& A, bool keepWorkspace) {
+  parts_->numeric.begin(A, keepWorkspace);
+}
 
 Status SparseCholesky::factorizeNext(double& share, double work) { return parts_->numeric.next(share, work); }
 
@@ -115,7 +119,16 @@ Status SparseCholesky::factorize(const SparseMatrix& A, bool keepWorkspace) {
   return status;
 }
 
-void SparseCholesky::solve(LaneRow* rows) { parts_->factor.solve(rows); }
+SparseMatrix SparseCholesky::takeSchurComplement() { return parts_->numeric.takeSchurComplement(); }
+
+void SparseCholesky::forward(LaneRow* rows) { parts_->factor.forward(rows); }
+
+void SparseCholesky::backward(LaneRow* rows) { parts_->factor.backward(rows); }
+
+void SparseCholesky::solve(LaneRow* rows) {
+  parts_->factor.forward(rows);
+  parts_->factor.backward(rows);
+}
 
 void SparseCholesky::solve(Columns X) {
   for (Index first = 0; first < X.count(); first += ConjugateGradients::kBatch) {
@@ -134,14 +147,16 @@ void SparseCholesky::Parts::solveTogether(Columns X) {
     }
   };
   eachGroup([&](Columns columns, LaneRow* rows) { toLanes(columns, rowOf, rows); });
-  factor.solve(lanes.data(), groups, rowCount);
+  factor.forward(lanes.data(), groups, rowCount);
+  factor.backward(lanes.data(), groups, rowCount);
   eachGroup([&](Columns columns, const LaneRow* rows) { fromLanes(rows, rowOf, columns); });
 }
 
 Status SparseCholesky::solveRefined(const SparseMatrix& A, ConstColumns B, Columns X,
                                     const ConjugateGradients::Limits& limits, ConjugateGradients::Report* report) {
   ConjugateGradients::Report unread;
-  return parts_->gradients.solve(A, [this](Columns R) { solve(R); }, B, X, limits, report ? *report : unread);
+  return parts_->gradients.solve(
+      A, [this](Columns R) { solve(R); }, B, X, limits, report ? *report : unread);
 }
 
 }  // namespace whittle
