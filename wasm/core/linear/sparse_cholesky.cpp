@@ -21,9 +21,12 @@ void toLanes(Columns columns, const std::vector<Index>& rowOf, LaneRow* rows) {
 }
 
 void fromLanes(const LaneRow* rows, const std::vector<Index>& rowOf, Columns columns) {
-  constexpr float LaneRow::*kLane[kLanes] = {&LaneRow::x, &LaneRow::y, &LaneRow::z};
-  for (Index c = 0; c < columns.count(); ++c) {
-    for (Index i = 0; i < columns.rows(); ++i) columns(i, c) = rows[rowOf[i]].*kLane[c];
+  const Index count = columns.count();
+  for (Index i = 0; i < columns.rows(); ++i) {
+    const LaneRow& row = rows[rowOf[i]];
+    columns(i, 0) = row.x;
+    if (count > 1) columns(i, 1) = row.y;
+    if (count > 2) columns(i, 2) = row.z;
   }
 }
 
