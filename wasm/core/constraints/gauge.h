@@ -24,8 +24,8 @@ class Gauge {
   /// Finds how far each part without a handle has to move, besides these moves of displaced vertices, for its centroid
   /// to lie where it lay at rest. Allocates nothing.
   void balance(const LaneRows& displacements, const LaneRows& moves);
-  /// That of a vertex, zero where a handle holds its part.
-  Lanes shift(std::size_t vertex) const { return load(&laneShifts_[floatingPart_[vertex] + 1]); }
+  /// Translation of vertex v's component as `balance` found it; zero where the component has a handle.
+  Lanes shift(std::size_t v) const { return load(&laneShifts_[floatingPart_[v] + 1]); }
 
  private:
   void sumCentroids(const Points& positions, Points& centroids) const;
