@@ -19,7 +19,8 @@ constexpr double kRounding = 1e-9;
 /// Which coordinates of s = R n are held at zero, where |s_j| has its kink and u_j is free.
 using Kinks = std::array<bool, 3>;
 
-/// The active set of u = clamp(u + s / kKinkShare), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the sign.
+/// The active set of u = clamp(u + s / kKinkShare), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the
+/// sign.
 Kinks activeKinks(const Vec3& s, const Vec3& weights, Vec3& u) {
   const Vec3 shifted = s + kKinkShare * u;
   Index largest;
