@@ -68,8 +68,14 @@ export async function loadModule(wasm?: Uint8Array | string): Promise<WasmModule
   const module = await create(
     typeof wasm === 'string' ? { locateFile: () => wasm } : wasm ? { wasmBinary: wasm } : {},
   );
-  const version = module._whittle_abi_version?.();
-  if (version === abiVersion) return module;
+  requireVersion(module);
+  return module;
+}
+
+/** @throws WhittleError `internal` where the module's C interface is not the one that is declared here */
+export function requireVersion(module: Partial<Pick<WasmModule, '_whittle_abi_version'>>): void {
+  const version = module._whittle_abi_version?.() ?? 1; // the first version did not say
+  if (version === abiVersion) return;
   throw new WhittleError(
     'internal',
     `The wasm file is of another version than the program (${version}, not ${abiVersion}). Reload the page, or build both again.`,
