@@ -30,22 +30,22 @@ export function errorsOf(page: Page): readonly string[] {
   return thrown.get(page) ?? [];
 }
 
-/** A worker that a test can lose as a crash would, and how many frames of solves it has sent. */
+/** A worker that a test can lose as a crash would, and how often it has let the page look at a run. */
 interface KeptWorker extends Worker {
-  frames: number;
+  looks: number;
 }
 
 function keepWorkers(): void {
   const scope = globalThis as unknown as { workers: KeptWorker[]; Worker: typeof Worker };
   scope.workers = [];
   scope.Worker = class extends Worker implements KeptWorker {
-    frames = 0;
+    looks = 0;
 
     constructor(...options: ConstructorParameters<typeof Worker>) {
       super(...options);
       scope.workers.push(this);
       this.addEventListener('message', ({ data }) => {
-        if (data.type === 'frame') this.frames++;
+        if (data.type === 'progress' && data.progress.kind === 'iterating') this.looks++;
       });
     }
   };
@@ -63,7 +63,7 @@ export function killWorker(page: Page): Promise<void> {
 export async function solvingInWorker(page: Page, count: number): Promise<void> {
   await page.waitForFunction((count) => {
     const { workers } = globalThis as unknown as { workers: KeptWorker[] };
-    return workers.length === count && workers.at(-1)!.frames > 0;
+    return workers.length === count && workers.at(-1)!.looks > 0;
   }, count);
 }
 
