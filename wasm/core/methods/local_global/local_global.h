@@ -1,3 +1,5 @@
+// README.md beside this file leads from the papers' equations to these files; wasm/reference has the same iteration in
+// plain Eigen, to be read first.
 #pragma once
 
 #include <functional>
