@@ -20,7 +20,7 @@ export type Format = (typeof formats)[number]['id'];
 
 export interface FormatInfo {
   readonly id: Format;
-  /** Of file names, with its dot. */
+  /** What file names end in, with its dot. */
   readonly ending: string;
   /** What a person reads in a menu. */
   readonly label: string;

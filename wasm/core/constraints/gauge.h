@@ -24,7 +24,7 @@ class Gauge {
   /// Finds how far each part without a handle has to move, besides these moves of displaced vertices, for its centroid
   /// to lie where it lay at rest. Allocates nothing.
   void balance(const LaneRows& displacements, const LaneRows& moves);
-  /// That of a vertex, zero where a handle holds its part.
+  /// How far vertex `vertex` has to move with its part, as `balance` found it; zero where a handle holds the part.
   Lanes shift(std::size_t vertex) const { return load(&laneShifts_[floatingPart_[vertex] + 1]); }
 
  private:
