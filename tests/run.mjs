@@ -11,7 +11,10 @@ const vitest = (title, project) => [title, bin('vitest'), 'run', '--project', pr
 
 /** Programs of each piece: a title, the command and its arguments. */
 const pieces = {
-  format: [['Formatting and lint', bin('biome'), 'check', '--error-on-warnings', '.']],
+  format: [
+    ['Formatting and lint', bin('biome'), 'check', '--error-on-warnings', '.'],
+    ['Formatting of the C++', execPath, 'tests/clang-format.mjs'],
+  ],
   types: ['.', 'src/viewer', 'src/element', 'src', 'web', 'tests'].map((folder) => [
     `Types of ${folder}`,
     ...[bin('tsc'), '-p', folder, '--noEmit'],

@@ -1,15 +1,15 @@
 import type { Engine } from '../engine/client.ts';
 import type { Format } from '../io/index.ts';
 import { toFailure } from '../mesh/failure.ts';
-import { findMethod, methods } from '../methods/registry.ts';
+import { findMethod } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
 import { type Recipe, type RecipeStep, Resolver, type Surroundings } from '../recipe/index.ts';
-import { record, redo, undo } from './history.ts';
+import { type Beginning, beginProject } from './begin-project.ts';
+import { amend, record, redo, undo } from './history.ts';
 import { LiveSolver } from './live-solver.ts';
-import { type OpenedFile, openFile, type ReadFile } from './open-file.ts';
+import { openFile, type ReadFile } from './open-file.ts';
 import type { Presenter } from './presenter.ts';
 import {
-  type Assets,
   activeStep,
   firstUnsettled,
   inputsOf,
@@ -32,18 +32,6 @@ import {
   switchStep,
 } from './steps.ts';
 import { patiently, reportFailure, Tasks } from './task.ts';
-
-/** What a mesh opens with. */
-export interface Beginning {
-  /** Default: the style that the mesh before it had, or else the first method. */
-  readonly method?: string;
-  /** Values that are not to be those that suit the mesh. */
-  readonly parameters?: ParameterValues;
-  /** A whole stack, in place of one step of {@link method}. */
-  readonly recipe?: Recipe;
-  /** What the steps name. */
-  readonly assets?: Assets;
-}
 
 export interface EditorParts {
   readonly store: EditorStore;
@@ -109,7 +97,7 @@ export class Editor {
       const file = await patiently(task, async () =>
         openFile(this.#engine, await read(task.signal), task.signal),
       );
-      const project = await this.#begin(file, begin);
+      const project = await beginProject(file, begin, this.project, this.resolver);
       if (!task.current()) return;
       this.#enter(project, file.warnings);
     } catch (thrown) {
@@ -201,7 +189,9 @@ export class Editor {
   activate(id: number): void {
     const { project } = this;
     const next = project && activateStep(project, id);
-    if (next && next !== project) this.#replace(project, next);
+    if (!next || next === project) return;
+    this.store.set({ project: next, history: amend(this.store.state.history, project, next) });
+    this.#presenter.adopt(next);
   }
 
   /** Brings the active step back to the values that suit the mesh. */
@@ -259,17 +249,6 @@ export class Editor {
     }
   }
 
-  async #begin(file: OpenedFile, begin: Beginning): Promise<Project> {
-    const last = begin.method || begin.recipe ? null : carriedOver(this.project);
-    const assets: Assets = begin.assets ?? last?.assets ?? new Map();
-    const method = findMethod(begin.method ?? last?.method ?? '') ?? methods[0]!;
-    const given = { ...last?.parameters, ...begin.parameters };
-    const recipe = begin.recipe ?? { steps: [await startingStep(method, given, file, this.resolver)] };
-    const steps = recipe.steps.map(newStep);
-    const { source, mesh, report } = file;
-    return { source, mesh, report, steps, active: steps.at(-1)!.id, assets };
-  }
-
   #enter(project: Project, warnings: readonly string[]): void {
     const before = this.project;
     const label = `Open ${project.source.name}`;
@@ -315,20 +294,6 @@ export class Editor {
     void this.#solver.settle(true);
   }
 
-  #replace(before: Project, next: Project): void {
-    const { history } = this.store.state;
-    const replace = ({ label, before: b, after: a }: (typeof history.past)[number]) => ({
-      label,
-      before: b === before ? next : b,
-      after: a === before ? next : a,
-    });
-    this.store.set({
-      project: next,
-      history: { past: history.past.map(replace), future: history.future.map(replace) },
-    });
-    this.#presenter.adopt(next);
-  }
-
   #travel(step: ReturnType<typeof undo>, to: 'before' | 'after'): boolean {
     if (!step) return false;
     this.#gestureFrom = null;
@@ -362,18 +327,4 @@ function sameActive(a: Project, b: Project): boolean {
     activeStep(a).isOn === activeStep(b).isOn &&
     sameInputs(activeInputs(a), activeInputs(b))
   );
-}
-
-/** A style is put on the next mesh too; other methods may not suit it. */
-function carriedOver(project: Project | null): (RecipeStep & { assets: Assets }) | null {
-  const step = project && activeStep(project);
-  const parameter = step && styleParameter(findMethod(step.method));
-  const style = parameter && step.parameters[parameter.name];
-  if (!parameter || typeof style !== 'string') return null;
-  const asset = project.assets.get(style);
-  return {
-    method: step.method,
-    parameters: { [parameter.name]: style },
-    assets: asset ? new Map([[style, asset]]) : new Map(),
-  };
 }

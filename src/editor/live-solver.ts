@@ -65,7 +65,7 @@ export class LiveSolver {
     const task = this.#tasks.begin();
     try {
       for (let next = this.#next(); next && !task.signal.aborted; next = this.#next()) {
-        const run = await this.#run(task, next, { start: 'rest', positions: watch }, watch);
+        const run = await this.#run(task, next, { start: 'rest', positions: watch, fields: true }, watch);
         if (!task.current()) return;
         this.#finish(next, run, watch);
       }
@@ -122,7 +122,7 @@ export class LiveSolver {
   async #run(
     task: Task,
     { step, inputs }: PlacedStep,
-    how: Pick<StepOptions, 'start' | 'positions'>,
+    how: Pick<StepOptions, 'start' | 'positions' | 'fields'>,
     live: boolean,
   ): Promise<StepRun> {
     const project = this.#store.state.project!;

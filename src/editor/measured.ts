@@ -12,6 +12,7 @@ export function measuredOf(project: Project): Measured {
     mesh: project.mesh,
     positions: result?.positions ?? null,
     targets: targetsOf(step, result),
+    fields: result?.fields ?? [],
     strengths: strengthsOf(step, project.mesh.positions.length / 3),
   };
 }

@@ -34,6 +34,8 @@ export interface Result {
   readonly milliseconds: number;
   /** Sentences about what was repaired or ignored, and what the images on the mesh are like. */
   readonly warnings: readonly string[];
+  /** What the method tells besides the shape; for a settled result only. */
+  readonly fields: StepRun['fields'];
   readonly of: StepInputs;
   /** The parameters as the engine took them: Gauss maps and slopes in place of names. */
   readonly resolved: ParameterValues;
@@ -170,8 +172,19 @@ export function meshAt({ mesh }: Pick<Project, 'mesh'>, positions: Float64Array<
 }
 
 export function resultOf(run: StepRun, state: Result['state'], of: StepInputs): Result {
-  const { positions, outcome, iterations, energy, milliseconds, warnings, resolved } = run;
+  const { positions, outcome, iterations, energy, milliseconds, warnings, fields, resolved } = run;
   const { prepare, solve } = milliseconds;
   const both = prepare + solve;
-  return { positions, state, outcome, iterations, energy, milliseconds: both, warnings, of, resolved };
+  return {
+    positions,
+    state,
+    outcome,
+    iterations,
+    energy,
+    milliseconds: both,
+    warnings,
+    fields,
+    of,
+    resolved,
+  };
 }

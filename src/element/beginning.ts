@@ -1,4 +1,4 @@
-import type { Beginning } from '../editor/editor.ts';
+import type { Beginning } from '../editor/begin-project.ts';
 import { imageParameter, styleParameter } from '../editor/starting-step.ts';
 import { WhittleError } from '../mesh/failure.ts';
 import { findMethod, methods } from '../methods/registry.ts';

@@ -1,11 +1,12 @@
 import { angleAfter, angleBefore } from './angle.ts';
 import { curvatureAfter, curvatureBefore } from './curvature.ts';
+import { fieldMeasure } from './field.ts';
 import { growth } from './growth.ts';
 import type { Measure, Measured, Overlay, OverlayName } from './measure.ts';
 import { movement } from './movement.ts';
 import { strength } from './strength.ts';
 
-export type { Measure, Measured, NormalTargets, Overlay, OverlayName } from './measure.ts';
+export type { Measure, Measured, NormalTargets, Overlay, OverlayName, ScalarField } from './measure.ts';
 
 /** All ways to look closer, in the order in which the page offers them. */
 const measures: readonly Measure[] = [
@@ -18,18 +19,19 @@ const measures: readonly Measure[] = [
   strength,
 ];
 
-/** Those that make sense of a measured. */
+/** The ways to look closer that make sense here. */
 export function measuresFor(measured: Measured): readonly Measure[] {
-  return measures.filter(({ suits }) => suits(measured));
+  return [...measures.filter(({ suits }) => suits(measured)), ...measured.fields.map(fieldMeasure)];
 }
 
 /**
- * Measures a measured; null where there is nothing to measure (no result yet, no style).
+ * Measures a mesh by one of them; null where there is nothing to measure (no result yet, no style).
  *
  * @param comparing the file's own shape is on the screen: what has a measure of it is that one
  */
 export function measure(measured: Measured, name: OverlayName, comparing = false): Overlay | null {
-  const chosen = measures.find((one) => one.name === name);
+  const all = [...measures, ...measured.fields.map(fieldMeasure)];
+  const chosen = all.find((one) => one.name === name);
   const wanted = comparing && chosen?.before ? measures.find((one) => one.name === chosen.before) : chosen;
   return wanted?.suits(measured) ? wanted.of(measured) : null;
 }

@@ -11,6 +11,19 @@ export interface Measured {
   readonly targets: NormalTargets | null;
   /** λ of each position, #P; null where there is only the one λ. */
   readonly strengths: ArrayLike<number> | null;
+  /** What the method itself knows of the shape. */
+  readonly fields: readonly ScalarField[];
+}
+
+/** A number for each position or face that a method tells besides the shape. */
+export interface ScalarField {
+  readonly name: string;
+  readonly label: string;
+  readonly per: 'vertex' | 'face';
+  /** As shown to people, '' for a pure number; × for factors. */
+  readonly unit: string;
+  /** #P, or #F. */
+  readonly values: Float64Array;
 }
 
 /** A style, and whose normals its targets are looked up from. */
@@ -29,7 +42,8 @@ export type OverlayName =
   | 'curvature-after'
   | 'movement'
   | 'growth'
-  | 'strength';
+  | 'strength'
+  | `field-${string}`;
 
 /** A number for every position of the mesh, to be shown as colours. */
 export interface Overlay {

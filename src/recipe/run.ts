@@ -1,11 +1,14 @@
 import type { Engine, ProgressListener } from '../engine/client.ts';
-import type { Outcome, Start } from '../engine/protocol.ts';
+import type { Outcome, Solved, Start } from '../engine/protocol.ts';
 import { at } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { movedMesh } from '../mesh/weld.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
 import type { Recipe, RecipeStep } from './recipe.ts';
 import { Resolver, type Surroundings, type TexturedMesh } from './resolve.ts';
+
+/** A scalar field of a method, and its numbers: #P in the file's order, or #F. */
+export type FieldValues = Solved['fields'][number] & { readonly values: Float64Array<ArrayBuffer> };
 
 /** One step of a recipe, done. */
 export interface StepRun {
@@ -17,6 +20,8 @@ export interface StepRun {
   /** Reading styles and images, welding and validating are preparation too. */
   readonly milliseconds: { readonly prepare: number; readonly solve: number };
   readonly warnings: readonly string[];
+  /** What the method tells besides the shape, where that was asked for. */
+  readonly fields: readonly FieldValues[];
   /** The values as the engine took them: Gauss maps and slopes in place of names. */
   readonly resolved: ParameterValues;
   /** #P×3 in the file's frame and order: the rest shape of the next step. */
@@ -31,6 +36,8 @@ export interface StepOptions {
   /** Whether progress carries positions. Default false. */
   readonly positions?: boolean;
   readonly onProgress?: ProgressListener | undefined;
+  /** Whether the method's scalar fields are wanted. Default false. */
+  readonly fields?: boolean;
   /** What sentences about the mesh begin with; default nothing. */
   readonly place?: string;
 }
@@ -45,7 +52,7 @@ export async function runStep(
   resolver: Resolver,
   surface: TexturedMesh,
   step: RecipeStep,
-  { signal, start = 'rest', positions = false, onProgress, place = '' }: StepOptions = {},
+  { signal, start = 'rest', positions = false, onProgress, fields = false, place = '' }: StepOptions = {},
 ): Promise<StepRun> {
   const reading = stopwatch();
   const { method, parameters, warnings } = await resolver.resolve(step, surface, place);
@@ -55,13 +62,25 @@ export async function runStep(
     place,
     engine.solve(surface.mesh, settings, { signal, onProgress }),
   );
+  const told = fields ? await fieldsOf(engine, surface.mesh, solved) : [];
   return {
     ...solved,
     method,
+    fields: told,
     resolved: parameters,
     milliseconds: { prepare: read + milliseconds.prepare, solve: milliseconds.solve },
     warnings: [...solved.warnings, ...warnings],
   };
+}
+
+function fieldsOf(
+  engine: Engine,
+  mesh: Mesh,
+  { fields }: Pick<Solved, 'fields'>,
+): Promise<readonly FieldValues[]> {
+  return Promise.all(
+    fields.map(async (field) => ({ ...field, values: await engine.field(mesh, field.name) })),
+  );
 }
 
 /** All that became of a recipe on a mesh. */

@@ -94,6 +94,7 @@ describe('arrows of the house', () => {
       'graph',
       'columns',
       'slices',
+      'row_planes',
     ].map((name) => `linear/${name}.h`);
     const users = ['wasm/core', 'wasm/bindings', 'wasm/bench'].flatMap((folder) =>
       filesBelow(folder, /\.(h|cpp)$/),

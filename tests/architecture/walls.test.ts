@@ -36,6 +36,24 @@ describe('walls of the house', () => {
       expect(readFileSync(file, 'utf8'), file).not.toMatch(/emscripten/i);
   });
 
+  test.each(['vector', 'rotation', 'rotations', 'scalars', 'handles'])(
+    'the kind of value “%s” is known to its own file and its table alone',
+    (kind) => {
+      const quoted = new RegExp(`['"\`]${kind}['"\`]`);
+      // Descriptors name the kinds of their parameters; all else goes through the table.
+      const descriptors = /^src\/methods\/[a-z-]+\.ts$/;
+      const files = [...filesBelow('src', /\.ts$/), ...filesBelow('web', /\.ts$/)].filter(
+        (file) => !descriptors.test(file),
+      );
+      const known = files.filter((file) => quoted.test(code(readFileSync(file, 'utf8'))));
+      expect(known).toEqual([`src/methods/values/${kind}.ts`]);
+      const core = filesBelow('wasm/core', /\.(h|cpp)$/).filter((file) =>
+        new RegExp(`"${kind}"`).test(readFileSync(file, 'utf8')),
+      );
+      for (const file of core) expect(file).toMatch(/^wasm\/core\/methods\//);
+    },
+  );
+
   test('no method’s id stands in the page', () => {
     const ids = new RegExp(`['"\`](${methods.map(({ id }) => id).join('|')})['"\`]`);
     for (const file of filesBelow('web', /\.ts$/))

@@ -38,6 +38,7 @@ function projectOf(
     energy: [],
     milliseconds: 1,
     warnings: [],
+    fields: [],
     of: inputsOf(step, positions, assets),
     resolved,
   };
@@ -189,6 +190,31 @@ describe('strength by vertex', () => {
     const overlay = measure(projectOf(seamed, { parameters }), 'strength')!;
     expect([...overlay.values]).toEqual([0, 2, 1, 2, 4, 1]);
     expect(overlay.scale).toEqual({ kind: 'rising', end: 4, unit: '' });
+  });
+});
+
+describe('fields of a method', () => {
+  const ball = icosphere(1);
+  const count = ball.positions.length / 3;
+  const plain = { mesh: ball as Mesh, positions: null, targets: null, strengths: null };
+  const field = { name: 'size', label: 'Change of size', unit: '×' } as const;
+
+  it('are offered by their labels and shown on a scale that suits their unit', () => {
+    const values = Float64Array.from({ length: count }, (_, v) => (v % 2 ? 2 : 0.5));
+    const measured = { ...plain, fields: [{ ...field, per: 'vertex' as const, values }] };
+    expect(measuresFor(measured).at(-1)).toMatchObject({ name: 'field-size', label: 'Change of size' });
+    expect(measureOf(measured, 'field-size')).toMatchObject({
+      summary: 'mostly ×0.5 to ×2',
+      scale: { kind: 'factor', end: 2 },
+    });
+  });
+
+  it('of faces are shown by their mean around each position', () => {
+    const values = new Float64Array(ball.triangles.length / 3).fill(3);
+    const measured = { ...plain, fields: [{ ...field, unit: '°', per: 'face' as const, values }] };
+    const overlay = measureOf(measured, 'field-size')!;
+    expect(overlay.scale).toEqual({ kind: 'rising', end: 3, unit: '°' });
+    expect([...overlay.values]).toEqual(Array(count).fill(3));
   });
 });
 

@@ -3,7 +3,7 @@ import { createEngine, type Engine } from '../../src/engine/client.ts';
 import { fileServices } from '../../src/engine/file-services.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
-import { type RecipeStep, runRecipe } from '../../src/recipe/index.ts';
+import { type RecipeStep, Resolver, runRecipe, runStep } from '../../src/recipe/index.ts';
 import { testCore } from '../fixtures/core.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 
@@ -80,6 +80,19 @@ describe('a recipe', () => {
     const listed: RecipeStep = { method: 'analogy', parameters: { style: [[0, 0, 1]] } };
     const same = await runRecipe(engine, { mesh: ball }, { steps: [listed] });
     expect(mine.mesh.positions).toEqual(same.mesh.positions);
+  });
+
+  test('brings the fields that a method tells, where they are asked for', async () => {
+    const step: RecipeStep = { method: 'analogy', parameters: { style: 'cube', regularizer: 'acap' } };
+    const resolver = new Resolver(engine);
+    expect((await runStep(engine, resolver, { mesh: ball }, step)).fields).toEqual([]);
+    const { fields } = await runStep(engine, resolver, { mesh: ball }, step, { fields: true });
+    expect(fields.map(({ name, unit }) => [name, unit])).toEqual([['size', '×']]);
+    const { values } = fields[0]!;
+    expect(values).toHaveLength(162);
+    // A ball that becomes a cube shrinks on its sides and grows at its corners.
+    expect(Math.min(...values)).toBeLessThan(0.99);
+    expect(Math.max(...values)).toBeGreaterThan(Math.min(...values) + 0.01);
   });
 
   test('ends with the step that was cancelled, and keeps what that has', async () => {

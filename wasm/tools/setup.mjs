@@ -16,7 +16,7 @@ const purposes = {
   build: { tools: ['wasm'], build: [buildWasm, buildCommandLine] },
   bench: { tools: ['wasm', 'native'], build: [buildWasm, buildBenchmark, buildCommandLine] },
   // The pieces of tests/run.mjs.
-  format: { tools: [], build: [] },
+  format: { tools: ['format'], build: [] },
   types: { tools: [], build: [] },
   core: { tools: ['wasm', 'native'], build: [buildTests] },
   'core-release': { tools: ['native', 'wasm'], build: [buildReleaseTests] },

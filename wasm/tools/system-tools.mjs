@@ -30,6 +30,13 @@ const tools = [
     brew: 'doctest',
   },
   {
+    name: 'clang-format',
+    for: 'format',
+    found: () => probe('clang-format'),
+    apt: 'clang-format',
+    brew: 'clang-format',
+  },
+  {
     name: 'Chromium',
     for: 'chromium',
     found: () => findBrowser('chromium'),

@@ -1,5 +1,6 @@
 import { Quaternion } from 'three';
-import type { Beginning, Editor } from '../../src/editor/editor.ts';
+import type { Beginning } from '../../src/editor/begin-project.ts';
+import type { Editor } from '../../src/editor/editor.ts';
 import type { Presenter } from '../../src/editor/presenter.ts';
 import { activeStep } from '../../src/editor/project.ts';
 import { imageParameter } from '../../src/editor/starting-step.ts';

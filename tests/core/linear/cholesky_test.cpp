@@ -10,6 +10,7 @@
 #include "linear/sparse_cholesky.h"
 #include "linear/supernodes.h"
 #include "support/allocations.h"
+#include "support/rows.h"
 #include "support/systems.h"
 
 using namespace whittle;
@@ -171,14 +172,14 @@ TEST_CASE("right-hand sides in rows of their own are solved where they are, othe
   SparseCholesky plain, placed;
   plain.analyze(A);
   placed.beginAnalyze(A, {}, rowOf, 0);
-  while (placed.analyzeNext() < 1) {}
+  while (placed.analyzeNext() < 1) {
+  }
   REQUIRE(plain.factorize(A).ok());
   REQUIRE(placed.factorize(A).ok());
   Points B = randomPoints(n, noise);
   LaneRows rows(2 * n + 1, {7, 7, 7, 7});
-  for (Index i = 0; i < n; ++i) {
-    rows[rowOf[i]] = {static_cast<float>(B(i, 0)), static_cast<float>(B(i, 1)), static_cast<float>(B(i, 2)), 0};
-  }
+  const LaneRows given = toRows(B);
+  for (Index i = 0; i < n; ++i) rows[rowOf[i]] = given[i];
   placed.solve(rows.data());
   Points X = B;
   plain.solve(X);
@@ -244,6 +245,41 @@ TEST_CASE("an order that is known is kept") {
   checkSolves(A, noise, {.isOrdered = true});  // though it is not
 }
 
+TEST_CASE("kept unknowns are left with their Schur complement, and the rest is solved around them") {
+  Noise noise;
+  const auto check = [&](const SparseMatrix& A, Index blockSize, Index kept, bool isOrdered) {
+    CAPTURE(A.rows());
+    CAPTURE(kept);
+    const Index n = static_cast<Index>(A.rows()), left = kept * blockSize, eliminated = n - left;
+    SparseCholesky cholesky;
+    cholesky.analyze(A, {.blockSize = blockSize, .isOrdered = isOrdered, .kept = kept});
+    REQUIRE(cholesky.factorize(A).ok());
+    const Eigen::MatrixXd dense(A);
+    const Eigen::MatrixXd schur = dense.inverse().bottomRightCorner(left, left).inverse();
+    const Eigen::MatrixXd lower(cholesky.takeSchurComplement());
+    REQUIRE(lower.rows() == left);
+    CHECK((Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>()) - schur).norm() <= 1e-12 * (1 + schur.norm()));
+
+    const Points B = randomPoints(n, noise);
+    LaneRows rows = toRows(B);
+    rows.emplace_back();
+    cholesky.forward(rows.data());
+    const LaneRows inKept = toRows(schur.inverse() * toPoints(rows, n).bottomRows(left));
+    std::copy_n(inKept.begin(), left, rows.begin() + eliminated);
+    cholesky.backward(rows.data());
+    const Points X = dense.inverse() * B;
+    CHECK((toPoints(rows, n) - X).norm() <= 1e-5 * X.norm());
+  };
+  for (const bool isOrdered : {false, true}) {
+    for (const Index kept : {1, 5, 40, 99, 100}) {
+      check(matrixOn(100, gridEdges(10), noise), 1, kept, isOrdered);
+      check(matrixOn(100, islands(100), noise), 1, kept, isOrdered);
+      check(matrixOn(100, randomTree(100, noise), noise), 1, kept, isOrdered);
+      check(matrixOn(100, randomEdges(100, 200, noise), noise, 3), 3, kept, isOrdered);
+    }
+  }
+}
+
 TEST_CASE("renumbering the unknowns renumbers the solution") {
   Noise noise;
   const Index n = 90;
@@ -303,7 +339,8 @@ TEST_CASE("semidefinite matrices and numbers that are not finite are a status") 
   SparseCholesky cholesky;
   cholesky.analyze(good);
   for (Index entry = 0; entry < good.nonZeros(); entry += 5) {
-    for (const double value : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), -1e300}) {
+    for (const double value :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), -1e300}) {
       SparseMatrix A = good;
       A.valuePtr()[entry] = value;
       const Status status = cholesky.factorize(A);

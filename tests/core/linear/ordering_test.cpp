@@ -135,7 +135,8 @@ TEST_CASE("minimum degree leaves about as little fill as Eigen's") {
 TEST_CASE("minimum degree puts nodes of very many neighbours last") {
   Noise noise;
   Edges edges = gridEdges(40);
-  for (Index i = 1; i < 1600; ++i) edges.emplace_back(i % 2 ? 700 : 900, i % 2 ? (i == 700 ? 0 : i) : (i == 900 ? 0 : i));
+  for (Index i = 1; i < 1600; ++i)
+    edges.emplace_back(i % 2 ? 700 : 900, i % 2 ? (i == 700 ? 0 : i) : (i == 900 ? 0 : i));
   const std::vector<Index> order = minimumDegreeOrder(graphOf(matrixOn(1600, edges, noise)));
   CHECK(order[1598] == 700);
   CHECK(order[1599] == 900);

@@ -3,6 +3,7 @@
 #include "linear/constrained_quadratic.h"
 #include "linear/ordering.h"
 #include "linear/sparse_cholesky.h"
+#include "support/rows.h"
 #include "support/systems.h"
 
 using namespace whittle;
@@ -132,14 +133,10 @@ TEST_CASE("a constrained quadratic is prepared in slices to the same bits") {
   const SparseMatrix A = matrixOn(n, edgesOf(mesh), noise);
   const Points B = randomPoints(n, noise);
   const auto corrections = [&](ConstrainedQuadratic& quadratic) {
-    LaneRows rows(ConstrainedQuadratic::paddedRows(n));
-    for (Index i = 0; i < n; ++i) {
-      rows[i] = {static_cast<float>(B(i, 0)), static_cast<float>(B(i, 1)), static_cast<float>(B(i, 2)), 0};
-    }
+    LaneRows rows = toRows(B);
+    rows.resize(ConstrainedQuadratic::paddedRows(n));
     quadratic.correct(rows);
-    Points X(n, 3);
-    for (Index i = 0; i < n; ++i) X.row(i) << rows[i].x, rows[i].y, rows[i].z;
-    return X;
+    return toPoints(rows, n);
   };
   for (const Ordering& ordering : {Ordering{}, Ordering{&mesh.positions}, Ordering{.isOrdered = true}}) {
     ConstrainedQuadratic whole, sliced;

@@ -24,8 +24,8 @@ class Gauge {
   /// Finds how far each part without a handle has to move, besides these moves of displaced vertices, for its centroid
   /// to lie where it lay at rest. Allocates nothing.
   void balance(const LaneRows& displacements, const LaneRows& moves);
-  /// How far vertex `vertex` has to move with its part, as `balance` found it; zero where a handle holds the part.
-  Lanes shift(std::size_t vertex) const { return load(&laneShifts_[floatingPart_[vertex] + 1]); }
+  /// Translation of vertex v's component as `balance` found it; zero where the component has a handle.
+  Lanes shift(std::size_t v) const { return load(&laneShifts_[floatingPart_[v] + 1]); }
 
  private:
   void sumCentroids(const Points& positions, Points& centroids) const;

@@ -11,7 +11,7 @@ namespace whittle {
 /// Negative values are kept. Of a degenerate face the area is floored, so its stiffness is finite and still
 /// semidefinite; a face that uses one vertex twice has none.
 CornerScalars halfCotangents(const Points& positions, const Triangles& triangles);
-/// Writes the half cotangents into `cotangents` (#F×3) without allocating.
+/// Half cotangents without allocating, into `cotangents` (#F×3).
 void halfCotangents(const Points& positions, const Triangles& triangles, CornerScalars& cotangents);
 
 /// The lower triangle of the cotangent Laplacian L (#V×#V, symmetric positive semidefinite): L_ij = −Σ c_fe over the

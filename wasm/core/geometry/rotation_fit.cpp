@@ -12,7 +12,7 @@ namespace {
 constexpr int kMaxNewtonSteps = 8;
 /// |w|² below which the step just taken has left an error of about that size, whose square is what the gain feels.
 constexpr double kConverged = 1e-10;
-/// In single precision; at the maximum the error falls with |w|³.
+/// |w|² below which lanes are done: at the maximum the error falls with |w|³.
 constexpr float kConvergedLanes = 1e-4f;
 constexpr float kStill = kTurnOfRounding * kTurnOfRounding;
 

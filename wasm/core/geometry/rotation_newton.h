@@ -36,7 +36,7 @@ inline Mat3 cayley(const Vec3& w) {
 /// One Newton step of the polar decomposition: takes off the rounding that a product of many rotations collects.
 inline Mat3 orthonormalized(const Mat3& R) { return 0.5 * R * (3 * Mat3::Identity() - R.transpose() * R); }
 
-/// `RotationModel` in lanes: four models at a time.
+/// `RotationModel` four at a time; the two are twins.
 struct RotationModelLanes {
   VectorLanes g;
   SymmetricLanes H;

@@ -16,12 +16,12 @@ Scalars mixedVoronoiAreas(const Points& positions, const Triangles& triangles);
 
 /// Area-weighted vertex normals, #V×3, unit length; the zero vector where the faces cancel or there are none.
 Points vertexNormals(const Points& positions, const Triangles& triangles);
-/// Writes the vertex normals into `normals` (#V×3) without allocating; `areas` (#V) is scratch.
+/// Vertex normals without allocating: into `normals` (#V×3), `areas` (#V) for scratch.
 void vertexNormals(const Points& positions, const Triangles& triangles, Points& normals, Scalars& areas);
 
 /// Unit face normals, #F×3; zero where a face has no area.
 Points faceNormals(const Points& positions, const Triangles& triangles);
-/// Writes the face normals into `normals` (#F×3) without allocating.
+/// Face normals without allocating, into `normals` (#F×3).
 void faceNormals(const Points& positions, const Triangles& triangles, Points& normals);
 
 }  // namespace whittle

@@ -13,17 +13,15 @@ template <typename Number>
 class BasicColumns {
  public:
   template <typename Dense>
-    requires requires(Dense& X) {
-      { X.data() } -> std::convertible_to<Number*>;
-      { X.rowStride() } -> std::convertible_to<Eigen::Index>;
-    }
+  requires requires(Dense& X) {
+    { X.data() } -> std::convertible_to<Number*>;
+    { X.rowStride() } -> std::convertible_to<Eigen::Index>;
+  }
   BasicColumns(Dense&& X)
       : data_(X.data()), rows_(static_cast<Index>(X.rows())), count_(static_cast<Index>(X.cols())),
         rowStride_(X.rowStride()), columnStride_(X.colStride()) {}
   /// A view for writing is one for reading too.
-  operator BasicColumns<const Number>() const
-    requires(!std::is_const_v<Number>)
-  {
+  operator BasicColumns<const Number>() const requires(!std::is_const_v<Number>) {
     return {data_, rows_, count_, rowStride_, columnStride_};
   }
 

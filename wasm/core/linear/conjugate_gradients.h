@@ -35,8 +35,8 @@ class ConjugateGradients {
   /// @param X #unknowns×k, in: where to start; out: the solution, or the best that the limits allow
   /// @returns `numericalFailure` if A turns out to be indefinite or numbers are not finite; X is then where that was
   ///   noticed
-  Status solve(const SparseMatrix& A, const Preconditioner& precondition, ConstColumns B, Columns X, const Limits& limits,
-               Report& report);
+  Status solve(const SparseMatrix& A, const Preconditioner& precondition, ConstColumns B, Columns X,
+               const Limits& limits, Report& report);
 
  private:
   using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  // #unknowns×columns

@@ -14,7 +14,7 @@ namespace {
 typedef double Lanes __attribute__((vector_size(16)));
 
 constexpr Index kTile = kFrontPadding + 1;  // rows and columns of a register tile: 8 accumulators
-constexpr Index kDepth = 96;  // columns that a deep product takes at a time
+constexpr Index kDepth = 96;                // columns that a deep product takes at a time
 
 Lanes load(const double* p) {
   Lanes v;
@@ -63,8 +63,8 @@ void subtract(double* C, Index ldC, const Tile& tile, Index rows, Index columns)
 /// C −= A Bᵀ for A with zeros above row `begin` + l of each column l, which are skipped. Made for deep products:
 /// columns of A lie far apart, so they come a few at a time, and rows of those meet all columns of C while they are in
 /// the first cache.
-void subtractDeepProduct(double* C, Index ldC, const double* A, Index ldA, Index begin, const double* B, Index ldB, Index rows,
-                         Index columns, Index depth) {
+void subtractDeepProduct(double* C, Index ldC, const double* A, Index ldA, Index begin, const double* B, Index ldB,
+                         Index rows, Index columns, Index depth) {
   for (Index from = 0; from < depth; from += kDepth) {
     const double *a = A + from * static_cast<std::ptrdiff_t>(ldA), *b = B + from * static_cast<std::ptrdiff_t>(ldB);
     const Index first = begin + from, chunk = std::min(kDepth, depth - from);
@@ -79,10 +79,11 @@ void subtractDeepProduct(double* C, Index ldC, const double* A, Index ldA, Index
 }
 
 /// y −= X f for `count` contiguous columns of X, four at a time so that y is not written after each.
-WHITTLE_OWN_FUNCTION void subtractColumns(double* __restrict y, const double* __restrict X, Index ld, const double* f, Index stride,
-                                          Index count, Index rows) {
+WHITTLE_OWN_FUNCTION void subtractColumns(double* __restrict y, const double* __restrict X, Index ld, const double* f,
+                                          Index stride, Index count, Index rows) {
   Index l = 0;
-  for (; l + 3 < count; l += 4, X += 4 * static_cast<std::ptrdiff_t>(ld), f += 4 * static_cast<std::ptrdiff_t>(stride)) {
+  for (; l + 3 < count;
+       l += 4, X += 4 * static_cast<std::ptrdiff_t>(ld), f += 4 * static_cast<std::ptrdiff_t>(stride)) {
     const double f0 = f[0], f1 = f[stride], f2 = f[2 * stride], f3 = f[3 * stride];
     const double *x0 = X, *x1 = X + ld, *x2 = X + 2 * ld, *x3 = X + 3 * ld;
     for (Index i = 0; i < rows; ++i) y[i] -= (f0 * x0[i] + f1 * x1[i]) + (f2 * x2[i] + f3 * x3[i]);
@@ -107,8 +108,8 @@ bool factorBlock(double* panel, Index ld, Index rows, Index columns) {
 
 }  // namespace
 
-void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index rows, Index columns,
-                     Index depth, bool lowerOnly) {
+void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index rows,
+                     Index columns, Index depth, bool lowerOnly) {
   for (Index j = 0; j < columns; j += kTile) {
     const Index width = std::min(kTile, columns - j);
     for (Index i = lowerOnly ? j : 0; i < rows; i += kTile) {

@@ -11,8 +11,8 @@ constexpr Index kFrontPadding = 3;
 /// C −= A Bᵀ for column-major C (rows×columns), A (rows×depth) and B (columns×depth), with their leading dimensions. A
 /// and B are padded, C is not touched outside. Where `lowerOnly`, entries above the diagonal of C are unspecified
 /// afterwards.
-void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index rows, Index columns,
-                     Index depth, bool lowerOnly);
+void subtractProduct(double* C, Index ldC, const double* A, Index ldA, const double* B, Index ldB, Index rows,
+                     Index columns, Index depth, bool lowerOnly);
 
 /// Columns that are factored or inverted at a time, so that a block of the panel stays in the first cache.
 constexpr Index kFrontBlock = 24;

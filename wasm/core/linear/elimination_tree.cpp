@@ -18,7 +18,8 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
 
 /// Hangs the roots below which a node has neighbours under it.
 /// @param ancestor shortcuts towards the root of what is built so far
-WHITTLE_OWN_FUNCTION void hang(const Graph& graph, Index node, const Index* positionOf, Index* ancestor, Index* parent) {
+WHITTLE_OWN_FUNCTION void hang(const Graph& graph, Index node, const Index* positionOf, Index* ancestor,
+                               Index* parent) {
   const Index column = positionOf[node];
   for (Index p = graph.start[node]; p < graph.start[node + 1]; ++p) {
     Index v = positionOf[graph.neighbours[p]];
@@ -31,7 +32,8 @@ WHITTLE_OWN_FUNCTION void hang(const Graph& graph, Index node, const Index* posi
   }
 }
 
-/// Children before parents, subtrees in one piece: new position → old one. From the end: a tree's root is the last of its piece.
+/// Children before parents, subtrees in one piece: new position → old one. From the end: a tree's root is the last of
+/// its piece.
 std::vector<Index> postorder(const std::vector<Index>& parent) {
   const Index n = static_cast<Index>(parent.size());
   std::vector<Index> size(n + 1, 1);  // of subtrees; the last is all of them
@@ -49,12 +51,13 @@ std::vector<Index> postorder(const std::vector<Index>& parent) {
   return order;
 }
 
-/// Finds the column counts as sums over subtrees: each row of L is a subtree, whose leaves and branchings are enough to count it.
+/// Finds the column counts as sums over subtrees: each row of L is a subtree, whose leaves and branchings are enough to
+/// count it.
 class ColumnCounter {
  public:
   ColumnCounter(const Graph& graph, const EliminationTree& tree)
-      : graph_(graph), tree_(tree), first_(tree.size(), kNone), latestFirst_(tree.size(), kNone), latestLeaf_(tree.size(), kNone),
-        ancestor_(tree.size()), counts_(tree.size()) {}
+      : graph_(graph), tree_(tree), first_(tree.size(), kNone), latestFirst_(tree.size(), kNone),
+        latestLeaf_(tree.size(), kNone), ancestor_(tree.size()), counts_(tree.size()) {}
 
   std::vector<Index> count();
 
@@ -109,11 +112,12 @@ Index ColumnCounter::root(Index v) {
 
 }  // namespace
 
-EliminationTree eliminationTree(const Graph& graph, const std::vector<Index>& order) {
+EliminationTree eliminationTree(const Graph& graph, const std::vector<Index>& order, Index kept) {
   const Index n = graph.size();
   const std::vector<Index> given = inverse(order);
   std::vector<Index> parent(n, kNone), ancestor(n, kNone);
   for (const Index node : order) hang(graph, node, given.data(), ancestor.data(), parent.data());
+  for (Index v = n - kept; v < n; ++v) parent[v] = v + 1 < n ? v + 1 : kNone;
 
   EliminationTree tree{postorder(parent), {}, std::vector<Index>(n)};
   const std::vector<Index> moved = inverse(tree.order);
@@ -123,6 +127,8 @@ EliminationTree eliminationTree(const Graph& graph, const std::vector<Index>& or
   return tree;
 }
 
-std::vector<Index> columnCounts(const Graph& graph, const EliminationTree& tree) { return ColumnCounter(graph, tree).count(); }
+std::vector<Index> columnCounts(const Graph& graph, const EliminationTree& tree) {
+  return ColumnCounter(graph, tree).count();
+}
 
 }  // namespace whittle

@@ -21,8 +21,8 @@ constexpr double kVariableWork = 750;
 
 MinimumDegree::MinimumDegree(const Graph& graph)
     : n_(graph.size()), lists_(2 * graph.neighbours.size()), start_(n_), size_(n_), elements_(n_, 0), weight_(n_, 1),
-      member_(n_), degree_(n_), outside_(n_, {kNone, 0}), head_(n_, kNone), next_(n_), previous_(n_), bucket_(n_, kNone),
-      seen_(n_, 0), alive_(n_) {
+      member_(n_), degree_(n_), outside_(n_, {kNone, 0}), head_(n_, kNone), next_(n_), previous_(n_),
+      bucket_(n_, kNone), seen_(n_, 0), alive_(n_) {
   std::iota(member_.begin(), member_.end(), 0);
   order_.reserve(n_);
   takeIn(graph);

@@ -52,12 +52,13 @@ class MinimumDegree {
   std::vector<Index> degree_;        // of a variable, at most; of an element |L_e|, 0 once it is dead
   std::vector<Outside> outside_;     // of elements
   std::vector<Index> head_, next_, previous_;  // variables by degree
-  std::vector<Index> bucket_;  // variables of L_p by the hash of their lists, chained by `next_`; `previous_` holds the hash
-  std::vector<Index> seen_;    // the comparison that last met a node
+  std::vector<Index>
+      bucket_;  // variables of L_p by the hash of their lists, chained by `next_`; `previous_` holds the hash
+  std::vector<Index> seen_;  // the comparison that last met a node
   Index comparison_ = 0;
   Index lowestDegree_ = 0;
-  Index elementWeight_ = 0;  // |L_p|
-  Index alive_;              // nodes not eliminated yet, dense ones left out
+  Index elementWeight_ = 0;   // |L_p|
+  Index alive_;               // nodes not eliminated yet, dense ones left out
   std::vector<Index> dense_;  // nodes left out, which go last
   std::vector<Index> order_;
 };

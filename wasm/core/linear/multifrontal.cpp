@@ -11,7 +11,7 @@ namespace {
 
 constexpr Index kTile = kFrontPadding + 1;
 constexpr double kFrontWork = 1000;  // of a front, however small
-constexpr double kTouch = 4;        // of a number that is moved
+constexpr double kTouch = 4;         // of a number that is moved
 
 /// Multiply-adds of a block of columns of a panel, from `first` on, and of what lies to its right.
 double factorWork(double rows, double columns, Index first) {
@@ -120,6 +120,17 @@ void Multifrontal::takeUpdate(Index child, const double* update) {
   }
 }
 
+void Multifrontal::listRemaining(std::vector<Eigen::Triplet<double, Index>>& entries) const {
+  const double* update = stack_.data();
+  for (const Index s : waiting_) {
+    const Index size = updateSize(s);
+    const Index* rows = supernodes_->rowsOf(s) + supernodes_->columns(s);
+    for (Index j = 0; j < size; ++j, update += size) {
+      for (Index i = j; i < size; ++i) entries.emplace_back(rows[i], rows[j], update[i]);
+    }
+  }
+}
+
 bool Multifrontal::factorBlock(double& work) {
   if (!factorPanelBlock(front_.data(), height_, columns_, at_)) return false;
   work -= factorWork(height_, columns_, at_);
@@ -140,8 +151,10 @@ double Multifrontal::updateColumns(double work) {
   at_ += width;
   if (at_ == size_) {
     const std::size_t numbers = static_cast<std::size_t>(size_) * size_;
-    std::memmove(stack_.data() + bottom_, update_, sizeof(double) * numbers);
-    if (size_ > 0) waiting_.push_back(s_);
+    if (size_ > 0) {
+      std::memmove(stack_.data() + bottom_, update_, sizeof(double) * numbers);
+      waiting_.push_back(s_);
+    }
     top_ = bottom_ + numbers;
     beginInverse(front_.data(), inverse_.data(), height_, columns_);
     enter(Stage::invert);

@@ -29,6 +29,9 @@ class Multifrontal {
   /// [L11⁻¹; −L21 L11⁻¹] of the front that is done, column-major.
   const double* inverse() const { return inverse_.data(); }
 
+  /// Adds to a list the updates that no front has taken in: those of kept unknowns (lower triangle, by position).
+  void listRemaining(std::vector<Eigen::Triplet<double, Index>>& entries) const;
+
   /// The work on a front, in the units of `slices.h`.
   static double workOf(Index columns, Index height);
 
@@ -49,9 +52,9 @@ class Multifrontal {
   std::vector<double> scratch_;  // columns × columns
   std::vector<double> stack_;    // update matrices, column-major, lower part
   std::size_t top_ = 0;
-  std::size_t bottom_ = 0;       // of the updates on the stack that the open front has not taken in
-  std::vector<Index> waiting_;   // supernodes whose updates are on the stack
-  std::vector<Index> placeOf_;   // #unknowns: row in the current front
+  std::size_t bottom_ = 0;      // of the updates on the stack that the open front has not taken in
+  std::vector<Index> waiting_;  // supernodes whose updates are on the stack
+  std::vector<Index> placeOf_;  // #unknowns: row in the current front
 
   Index s_ = 0, columns_ = 0, height_ = 0, size_ = 0;  // the open front; the size of its update
   double* update_ = nullptr;

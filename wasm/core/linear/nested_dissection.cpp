@@ -35,8 +35,9 @@ struct NestedDissection::Leaf {
 };
 
 NestedDissection::NestedDissection(const Graph& graph, const Points& coordinates)
-    : graph_(graph), nodes_(graph.size()), part_(graph.size(), 0), bisector_(graph, coordinates, part_),
-      waiting_{{0, graph.size()}}, place_(graph.size(), 0), workLeft_(expectedWork(graph.size())), allWork_(workLeft_) {
+    : graph_(graph), nodes_(graph.size()), part_(graph.size(), 0),
+      bisector_(graph, coordinates, part_), waiting_{{0, graph.size()}}, place_(graph.size(), 0),
+      workLeft_(expectedWork(graph.size())), allWork_(workLeft_) {
   std::iota(nodes_.begin(), nodes_.end(), 0);
 }
 
@@ -72,7 +73,8 @@ bool NestedDissection::bisect(Range range) {
   std::for_each(begin, high, [&](Index v) { part_[v] = parts_; });
   std::for_each(separator, end, [&](Index v) { part_[v] = kSettled; });
   ++parts_;
-  const Index lowEnd = static_cast<Index>(high - nodes_.begin()), highEnd = static_cast<Index>(separator - nodes_.begin());
+  const Index lowEnd = static_cast<Index>(high - nodes_.begin()),
+              highEnd = static_cast<Index>(separator - nodes_.begin());
   for (const Range half : {Range{range.first, lowEnd}, Range{lowEnd, highEnd}}) {
     waiting_.push_back(half);
     workLeft_ += expectedWork(half.count());

@@ -61,18 +61,35 @@ Status NumericFactorization::next(double& share, double work) {
   doneWork_ += given - work;
   const bool ended = !definite || supernode_ == supernodes_.count();
   share = ended ? 1 : std::min(0.999, doneWork_ / allWork_);
+  if (ended && definite) formSchurComplement();
   if (ended && !keepWorkspace_) fronts_ = {};
   if (definite) return {};
-  return Status::failure(Code::numericalFailure,
-                         "the linear system is not positive definite; the mesh may hold faces too thin to compute with");
+  return Status::failure(
+      Code::numericalFailure,
+      "the linear system is not positive definite; the mesh may hold faces too thin to compute with");
+}
+
+void NumericFactorization::formSchurComplement() {
+  const Index n = static_cast<Index>(A_->cols()), first = supernodes_.columnStart.back();
+  if (first == n) return;
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  fronts_.listRemaining(entries);
+  for (auto& entry : entries) entry = {entry.row() - first, entry.col() - first, entry.value()};
+  for (Index column = first; column < n; ++column) {
+    for (SparseMatrix::InnerIterator entry(*A_, column); entry; ++entry) {
+      if (entry.row() >= column) entries.emplace_back(entry.row() - first, column - first, entry.value());
+    }
+  }
+  schur_.resize(n - first, n - first);
+  schur_.setFromTriplets(entries.begin(), entries.end());
 }
 
 void NumericFactorization::open() {
   isOpen_ = true;
   double* front = fronts_.open(supernode_);
   entries_.add(A_->valuePtr(), supernode_, front);
-  const Index stride = supernodes_.height(supernode_) + 1;
-  for (Index j = 0; j < supernodes_.columns(supernode_); ++j) diagonal_[j] = front[static_cast<std::ptrdiff_t>(j) * stride];
+  const std::ptrdiff_t stride = supernodes_.height(supernode_) + 1;
+  for (Index j = 0; j < supernodes_.columns(supernode_); ++j) diagonal_[j] = front[j * stride];
 }
 
 /// Returns false if the pivots are not sound.

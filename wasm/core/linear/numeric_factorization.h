@@ -28,14 +28,18 @@ class NumericFactorization {
   /// @param share out: of the work that is done
   Status next(double& share, double work);
 
+  /// What elimination has left in the kept unknowns: S = A_kk − A_ke A_ee⁻¹ A_ek, the lower triangle, numbered from 0.
+  SparseMatrix takeSchurComplement() { return std::move(schur_); }
+
  private:
   void open();
   bool close();
+  void formSchurComplement();
 
   const Supernodes& supernodes_;
   const EntryPlaces& entries_;
   PackedFactor& factor_;
-  std::size_t peakUpdates_ = 0;   // largest stack of update matrices, in numbers
+  std::size_t peakUpdates_ = 0;  // largest stack of update matrices, in numbers
   double allWork_ = 0;
   std::vector<double> diagonal_;  // of A, for the supernode that is being factored
   Multifrontal fronts_;
@@ -46,6 +50,7 @@ class NumericFactorization {
   bool isOpen_ = false;     // the front of the supernode
   Index supernode_ = 0;
   double doneWork_ = 0;
+  SparseMatrix schur_;
 };
 
 }  // namespace whittle

@@ -33,7 +33,8 @@ std::vector<Index> EliminationOrdering::take() { return dissection_ ? dissection
 
 std::vector<Index> eliminationOrder(const Graph& graph, const Points* coordinates, Index blockSize) {
   EliminationOrdering ordering(graph, coordinates, blockSize);
-  while (ordering.next() < 1) {}
+  while (ordering.next() < 1) {
+  }
   return ordering.take();
 }
 

@@ -16,6 +16,7 @@ struct Ordering {
   const Points* coordinates = nullptr;  // one row per node: where it is, for systems large enough to be cut in space
   Index blockSize = 1;                  // unknowns per node, numbered blockSize·node + component
   bool isOrdered = false;               // whether the nodes come in a good elimination order already
+  Index kept = 0;                       // so many nodes, the last ones, are not eliminated: they are left with a system
 };
 
 /// Makes an elimination order that keeps the Cholesky factor of matrices on a graph sparse: minimum degree for
@@ -37,7 +38,7 @@ class EliminationOrdering {
   std::vector<Index> take();
 
  private:
-  std::unique_ptr<MinimumDegree> degrees_;       // one of the two
+  std::unique_ptr<MinimumDegree> degrees_;  // one of the two
   std::unique_ptr<NestedDissection> dissection_;
 };
 

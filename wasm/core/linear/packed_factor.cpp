@@ -35,10 +35,13 @@ SolvePanel PackedFactor::panel(Index s) const {
           supernodes_->height(s)};
 }
 
-void PackedFactor::solve(LaneRow* rows, Index groups, std::ptrdiff_t stride) {
+void PackedFactor::forward(LaneRow* rows, Index groups, std::ptrdiff_t stride) {
   for (Index s = 0; s < supernodes_->count(); ++s) {
     for (Index g = 0; g < groups; ++g) panelForward(panel(s), rows + g * stride, scratch_.data());
   }
+}
+
+void PackedFactor::backward(LaneRow* rows, Index groups, std::ptrdiff_t stride) {
   for (Index s = supernodes_->count() - 1; s >= 0; --s) {
     for (Index g = 0; g < groups; ++g) panelBackward(panel(s), rows + g * stride, scratch_.data());
   }

@@ -20,9 +20,11 @@ class PackedFactor {
   /// @param inverted [L11⁻¹; −L21 L11⁻¹] of supernode s, column-major
   void pack(Index s, const double* inverted);
 
-  /// Solves L Y = B and then Lᵀ X = Y in place for three right-hand sides in each of some groups of rows, which follow
-  /// each other at a stride. A panel meets all of them while the cache holds it.
-  void solve(LaneRow* rows, Index groups = 1, std::ptrdiff_t stride = 0);
+  /// Solves L Y = B in place for three right-hand sides in each of some groups of rows, which follow each other at a
+  /// stride. A panel meets all of them while the cache holds it. Of kept unknowns the rows become what is left of B.
+  void forward(LaneRow* rows, Index groups = 1, std::ptrdiff_t stride = 0);
+  /// Solves Lᵀ X = Y in the same way. Of kept unknowns the rows hold X already.
+  void backward(LaneRow* rows, Index groups = 1, std::ptrdiff_t stride = 0);
 
  private:
   SolvePanel panel(Index s) const;

@@ -14,7 +14,8 @@ struct alignas(16) TileColumn {
 /// four rows of one column after the other), the last tile padded with zeros.
 struct SolvePanel {
   const TileColumn* tiles;
-  const Index* rows;  // where the right-hand sides stand, own ones first, padded to whole tiles with a row that nobody reads
+  const Index*
+      rows;  // where the right-hand sides stand, own ones first, padded to whole tiles with a row that nobody reads
   Index columns;
   Index height;
 

@@ -21,9 +21,12 @@ void toLanes(Columns columns, const std::vector<Index>& rowOf, LaneRow* rows) {
 }
 
 void fromLanes(const LaneRow* rows, const std::vector<Index>& rowOf, Columns columns) {
-  constexpr float LaneRow::*kLane[kLanes] = {&LaneRow::x, &LaneRow::y, &LaneRow::z};
-  for (Index c = 0; c < columns.count(); ++c) {
-    for (Index i = 0; i < columns.rows(); ++i) columns(i, c) = rows[rowOf[i]].*kLane[c];
+  const Index count = columns.count();
+  for (Index i = 0; i < columns.rows(); ++i) {
+    const LaneRow& row = rows[rowOf[i]];
+    columns(i, 0) = row.x;
+    if (count > 1) columns(i, 1) = row.y;
+    if (count > 2) columns(i, 2) = row.z;
   }
 }
 
@@ -63,7 +66,8 @@ void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& orderin
   parts_->lanes.assign(unknowns + 1, {});
 }
 
-void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& ordering, std::vector<Index> rowOf, Index spare) {
+void SparseCholesky::beginAnalyze(const SparseMatrix& A, const Ordering& ordering, std::vector<Index> rowOf,
+                                  Index spare) {
   parts_->rowCount = 1 + std::max(spare, rowOf.empty() ? 0 : *std::max_element(rowOf.begin(), rowOf.end()));
   parts_->rowOf = std::move(rowOf);
   parts_->spare = spare;
@@ -101,10 +105,13 @@ double SparseCholesky::analyzeNext(double work) {
 
 void SparseCholesky::analyze(const SparseMatrix& A, const Ordering& ordering) {
   beginAnalyze(A, ordering);
-  while (analyzeNext() < 1) {}
+  while (analyzeNext() < 1) {
+  }
 }
 
-void SparseCholesky::beginFactorize(const SparseMatrix& A, bool keepWorkspace) { parts_->numeric.begin(A, keepWorkspace); }
+void SparseCholesky::beginFactorize(const SparseMatrix& A, bool keepWorkspace) {
+  parts_->numeric.begin(A, keepWorkspace);
+}
 
 Status SparseCholesky::factorizeNext(double& share, double work) { return parts_->numeric.next(share, work); }
 
@@ -115,7 +122,16 @@ Status SparseCholesky::factorize(const SparseMatrix& A, bool keepWorkspace) {
   return status;
 }
 
-void SparseCholesky::solve(LaneRow* rows) { parts_->factor.solve(rows); }
+SparseMatrix SparseCholesky::takeSchurComplement() { return parts_->numeric.takeSchurComplement(); }
+
+void SparseCholesky::forward(LaneRow* rows) { parts_->factor.forward(rows); }
+
+void SparseCholesky::backward(LaneRow* rows) { parts_->factor.backward(rows); }
+
+void SparseCholesky::solve(LaneRow* rows) {
+  parts_->factor.forward(rows);
+  parts_->factor.backward(rows);
+}
 
 void SparseCholesky::solve(Columns X) {
   for (Index first = 0; first < X.count(); first += ConjugateGradients::kBatch) {
@@ -134,14 +150,16 @@ void SparseCholesky::Parts::solveTogether(Columns X) {
     }
   };
   eachGroup([&](Columns columns, LaneRow* rows) { toLanes(columns, rowOf, rows); });
-  factor.solve(lanes.data(), groups, rowCount);
+  factor.forward(lanes.data(), groups, rowCount);
+  factor.backward(lanes.data(), groups, rowCount);
   eachGroup([&](Columns columns, const LaneRow* rows) { fromLanes(rows, rowOf, columns); });
 }
 
 Status SparseCholesky::solveRefined(const SparseMatrix& A, ConstColumns B, Columns X,
                                     const ConjugateGradients::Limits& limits, ConjugateGradients::Report* report) {
   ConjugateGradients::Report unread;
-  return parts_->gradients.solve(A, [this](Columns R) { solve(R); }, B, X, limits, report ? *report : unread);
+  return parts_->gradients.solve(
+      A, [this](Columns R) { solve(R); }, B, X, limits, report ? *report : unread);
 }
 
 }  // namespace whittle

@@ -3,13 +3,13 @@
 #include <memory>
 #include <vector>
 
-#include "simd/lanes.h"
 #include "base/sparse_matrix.h"
 #include "base/status.h"
 #include "linear/columns.h"
 #include "linear/conjugate_gradients.h"
 #include "linear/ordering.h"
 #include "linear/slices.h"
+#include "simd/lanes.h"
 
 namespace whittle {
 
@@ -54,6 +54,14 @@ class SparseCholesky {
   /// Does a slice.
   /// @param share out: the share of the work that is done; 1 after a failure, too
   Status factorizeNext(double& share, double work = kSliceWork);
+
+  /// With `Ordering::kept`, the factorization leaves a system S in the kept unknowns, S = A_kk − A_ke A_ee⁻¹ A_ek
+  /// (lower triangle, numbered from 0), for the caller to solve in a way of its own, and A X = B is solved by three
+  /// calls: `forward` makes of the rows of kept unknowns the right-hand sides of S; the caller puts the solutions in
+  /// their place; `backward` finds the rest. `solve` and `solveRefined` are for systems that are eliminated whole.
+  SparseMatrix takeSchurComplement();
+  void forward(LaneRow* rows);
+  void backward(LaneRow* rows);
 
   /// Overwrites right-hand sides (#unknowns×k, any k, rows or columns contiguous or not) with the solutions. Up to 24
   /// columns share a pass over L, which costs hardly more than its arithmetic: for many right-hand sides give them at

@@ -34,8 +34,9 @@ double shareOfZeros(const Panel& panel, std::int64_t entries, double blockSize) 
 }
 
 /// Runs of columns that share their rows, then merged with what comes right before them in the tree where that pays.
-std::vector<Panel> findPanels(const std::vector<Index>& parent, const std::vector<Index>& counts, Index blockSize) {
-  const Index n = static_cast<Index>(parent.size());
+/// @param n columns that are eliminated
+std::vector<Panel> findPanels(Index n, const std::vector<Index>& parent, const std::vector<Index>& counts,
+                              Index blockSize) {
   std::vector<std::int64_t> entriesBefore(n + 1, 0);
   for (Index j = 0; j < n; ++j) entriesBefore[j + 1] = entriesBefore[j] + counts[j];
 
@@ -65,14 +66,14 @@ std::vector<Panel> findPanels(const std::vector<Index>& parent, const std::vecto
 /// up to its own.
 /// @param mark the last row that reached each supernode
 /// @param next where the next row of each goes
-WHITTLE_OWN_FUNCTION void addRow(const Graph& graph, const EliminationTree& tree, Index row, const Index* supernodeOf, Index* mark,
-                                 std::size_t* next, Supernodes& result) {
+WHITTLE_OWN_FUNCTION void addRow(const Graph& graph, const EliminationTree& tree, Index row, const Index* supernodeOf,
+                                 Index* mark, std::size_t* next, Supernodes& result) {
   const Index node = tree.order[row];
-  mark[supernodeOf[row]] = row;
+  if (supernodeOf[row] >= 0) mark[supernodeOf[row]] = row;
   for (Index p = graph.start[node]; p < graph.start[node + 1]; ++p) {
     const Index column = tree.positionOf[graph.neighbours[p]];
     if (column > row) continue;
-    for (Index s = supernodeOf[column]; mark[s] != row; s = result.parent[s]) {
+    for (Index s = supernodeOf[column]; s >= 0 && mark[s] != row; s = result.parent[s]) {
       mark[s] = row;
       result.rows[next[s]++] = row;
     }
@@ -82,7 +83,7 @@ WHITTLE_OWN_FUNCTION void addRow(const Graph& graph, const EliminationTree& tree
 /// The rows of every panel, its own columns first. Rows come one after the other, so they are sorted.
 void fillRows(const Graph& graph, const EliminationTree& tree, const std::vector<Panel>& panels, Supernodes& result) {
   const Index count = static_cast<Index>(panels.size());
-  std::vector<Index> supernodeOf(tree.size()), mark(count, -1);
+  std::vector<Index> supernodeOf(tree.size(), -1), mark(count, -1);  // −1: of columns that are not eliminated
   result.columnStart.assign(1, 0);
   result.rowStart.assign(1, 0);
   for (Index s = 0; s < count; ++s) {
@@ -98,7 +99,8 @@ void fillRows(const Graph& graph, const EliminationTree& tree, const std::vector
     const Index parent = tree.parent[result.columnStart[s + 1] - 1];
     result.parent.push_back(parent < 0 ? -1 : supernodeOf[parent]);
   }
-  for (Index row = 0; row < tree.size(); ++row) addRow(graph, tree, row, supernodeOf.data(), mark.data(), next.data(), result);
+  for (Index row = 0; row < tree.size(); ++row)
+    addRow(graph, tree, row, supernodeOf.data(), mark.data(), next.data(), result);
 }
 
 std::vector<Index> asNumbered(Index nodes) {
@@ -141,19 +143,31 @@ double SupernodeAnalysis::next(double work) {
       ordered = ordering_->next(work);
       if (ordered == 1) stage_ = tree;
       break;
-    case tree: buildTree(), stage_ = supernodes; break;
+    case tree:
+      tree_ = eliminationTree(graph_, this->order(), settings_.kept);
+      stage_ = supernodes;
+      break;
     case supernodes: findSupernodes(), stage_ = done; break;
   }
   return kShares[stage_] + (stage_ == order ? ordered * (kShares[tree] - kShares[order]) : 0);
 }
 
-void SupernodeAnalysis::buildTree() {
-  tree_ = eliminationTree(graph_, ordering_ ? ordering_->take() : asNumbered(graph_.size()));
+/// The order that was found or given, kept nodes last.
+std::vector<Index> SupernodeAnalysis::order() {
+  if (!ordering_) return asNumbered(graph_.size());
+  std::vector<Index> order = ordering_->take();
   ordering_.reset();
+  if (settings_.kept == 0) return order;
+  const Index eliminated = graph_.size() - settings_.kept;
+  const auto kept = std::stable_partition(order.begin(), order.end(), [&](Index node) { return node < eliminated; });
+  std::sort(kept, order.end());
+  return order;
 }
 
 void SupernodeAnalysis::findSupernodes() {
-  fillRows(graph_, tree_, findPanels(tree_.parent, columnCounts(graph_, tree_), settings_.blockSize), result_);
+  const Index eliminated = graph_.size() - settings_.kept;
+  const std::vector<Index> counts = columnCounts(graph_, tree_);
+  fillRows(graph_, tree_, findPanels(eliminated, tree_.parent, counts, settings_.blockSize), result_);
   result_.newOf = std::move(tree_.positionOf);
   if (settings_.blockSize > 1) result_ = expand(result_, settings_.blockSize);
 }

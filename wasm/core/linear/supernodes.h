@@ -10,13 +10,13 @@
 namespace whittle {
 
 /// The pattern of L as dense panels: runs of columns that share their rows. A panel of k columns and m rows holds m×k
-/// entries; its first k rows are its own columns.
+/// entries; its first k rows are its own columns. Unknowns that are kept have no column, only rows.
 struct Supernodes {
-  std::vector<Index> newOf;        // #unknowns: position of each unknown in the factor's order
-  std::vector<Index> columnStart;  // #supernodes + 1: first column of each
-  std::vector<std::size_t> rowStart;    // #supernodes + 1: into `rows`
-  std::vector<Index> rows;         // ascending within each supernode
-  std::vector<Index> parent;       // supernode that takes the update, −1 for roots; children come before parents
+  std::vector<Index> newOf;           // #unknowns: position of each unknown in the factor's order
+  std::vector<Index> columnStart;     // #supernodes + 1: first column of each
+  std::vector<std::size_t> rowStart;  // #supernodes + 1: into `rows`
+  std::vector<Index> rows;            // ascending within each supernode
+  std::vector<Index> parent;          // supernode that takes the update, −1 for roots; children come before parents
 
   Index count() const { return static_cast<Index>(columnStart.size()) - 1; }
   Index columns(Index s) const { return columnStart[s + 1] - columnStart[s]; }
@@ -37,7 +37,7 @@ class SupernodeAnalysis {
   Supernodes take() { return std::move(result_); }
 
  private:
-  void buildTree();
+  std::vector<Index> order();
   void findSupernodes();
 
   const SparseMatrix& A_;

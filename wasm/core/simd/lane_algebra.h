@@ -94,7 +94,7 @@ inline void addOuter(MatrixLanes& A, const VectorLanes& v, const VectorLanes& w)
   for (int i = 0; i < 3; ++i) A.m[i][0] += rows[i] * w.x, A.m[i][1] += rows[i] * w.y, A.m[i][2] += rows[i] * w.z;
 }
 
-/// The size of the largest entry of each matrix.
+/// Size of the largest entry of each matrix.
 inline Lanes largestEntries(const MatrixLanes& A) {
   Lanes largest = splat(0);
   for (const auto& row : A.m) {

@@ -17,7 +17,7 @@ namespace whittle {
 /// finds these vectorizations by itself, and because the same operations in the same order give the same bits
 /// everywhere.
 typedef float Lanes __attribute__((vector_size(16)));
-/// Four lanes in double precision, for what single precision would cancel away.
+/// Four numbers in double precision, for what single precision would cancel away.
 typedef double DoubleLanes __attribute__((vector_size(32)));
 /// What comparing lanes gives: all bits of a lane or none.
 typedef std::int32_t LaneMask __attribute__((vector_size(16)));
@@ -64,7 +64,7 @@ inline LaneMask select(LaneMask mask, LaneMask yes, LaneMask no) { return (yes &
 /// Zero where the mask is not set.
 inline Lanes keep(LaneMask mask, Lanes v) { return (Lanes)((LaneMask)v & mask); }
 
-/// The smaller and the larger of two numbers, lane by lane; b where one of them is not a number.
+/// The smaller and the larger of two; b where one is not a number.
 #if defined(__wasm_simd128__)
 inline Lanes minimum(Lanes a, Lanes b) { return (Lanes)wasm_f32x4_pmin((v128_t)b, (v128_t)a); }
 inline Lanes maximum(Lanes a, Lanes b) { return (Lanes)wasm_f32x4_pmax((v128_t)b, (v128_t)a); }

@@ -10,7 +10,7 @@ struct EigenLanes {
   VectorLanes vectors[3];
 };
 
-/// By Jacobi's rotations in single precision, to about 1e-6 of the largest value: square roots only, so the same bits
+/// Decomposes by Jacobi's rotations in single precision, to about 1e-6 of the largest value: square roots only, so the same bits
 /// everywhere, and vectors stay orthonormal where values coincide. A is of a size that single precision holds squares
 /// of.
 EigenLanes eigenDecomposition(SymmetricLanes A);

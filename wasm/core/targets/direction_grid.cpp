@@ -23,7 +23,7 @@ double angleBetween(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b)
 /// Below this height a projection reaches so far that the whole face is taken instead.
 constexpr double kFlat = 0.2;
 const double kFaceRadius = std::acos(1 / std::sqrt(3.0));
-/// How far rounding may push a direction over the edge of its cell.
+/// How far rounding may push a place over the edge of its cell.
 constexpr double kRounding = 1e-9;
 
 }  // namespace

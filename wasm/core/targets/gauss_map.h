@@ -8,9 +8,9 @@ namespace whittle {
 /// A style as data (2021, §3.1): which normal the output is to have where the input has a given one.
 struct GaussMapData {
   enum class Kind {
-    closest,  // the nearest of `normals` (#N×3), the faces of a convex shape
+    closest,    // the nearest of `normals` (#N×3), the faces of a convex shape
     perVertex,  // `points` (#V×3) and `triangles` are a style on the sphere; a normal for each point, interpolated
-    perFace,  // a normal for each triangle, for faceted styles
+    perFace,    // a normal for each triangle, for faceted styles
   };
   Kind kind = Kind::closest;
   Points normals = Points(0, 3);

@@ -1,5 +1,3 @@
-// README.md beside this file leads from the papers' equations to these files; wasm/reference has the same iteration in
-// plain Eigen, to be read first.
 #pragma once
 
 #include <functional>
@@ -25,6 +23,9 @@ struct EngineValues {
   SolverParameters solver;
 };
 
+/// The engine of all local/global methods; `reference/plain_local_global.h` is the same iteration without what makes it
+/// fast, and to be read first.
+///
 /// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating
 /// between the rotations R (local step, the policy) and the positions (global step, one Poisson solve with handles
 /// eliminated and each loose part held by its gauge). The energy of the points that iterations start from never rises,

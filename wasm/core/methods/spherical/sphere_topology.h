@@ -11,7 +11,8 @@ namespace whittle {
 /// vertex, or a face where it is about faces.
 Status requireSphere(const TriangleMesh& mesh);
 
-/// Of points on a sphere around `center`, how many triangles are turned over or have no area, seen from it.
+/// Number of triangles that are turned over or have no area as seen from `center`, around which all points lie on a
+/// sphere.
 Index countFolded(const Triangles& triangles, const Points& positions, const Vec3& center);
 
 }  // namespace whittle

@@ -1,3 +1,4 @@
+// Its twin in single precision, four vertices at a time: cubic_lanes.cpp.
 #include "methods/local_global/cubic/cubic_exact.h"
 
 #include <array>
@@ -12,22 +13,21 @@ namespace whittle {
 namespace {
 
 constexpr int kMaxNewtonSteps = 20;
-constexpr double kLongestTurn = 0.7;  // radians; the model holds no further
 constexpr double kConverged = 1e-12;  // |w|², about the error that the step leaves; the certificate looks at it again
-constexpr double kKink = 0.25;        // share of u that decides whether a coordinate of R n stays at zero
 constexpr double kRounding = 1e-9;
 
 /// Which coordinates of s = R n are held at zero, where |s_j| has its kink and u_j is free.
 using Kinks = std::array<bool, 3>;
 
-/// The active set of u = clamp(u + s / kKink), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the sign.
+/// The active set of u = clamp(u + s / kKinkShare), which says u ∈ ∂|s|₁ as an equation. Off the kinks u becomes the
+/// sign.
 Kinks activeKinks(const Vec3& s, const Vec3& weights, Vec3& u) {
-  const Vec3 shifted = s + kKink * u;
+  const Vec3 shifted = s + kKinkShare * u;
   Index largest;
   s.cwiseAbs().maxCoeff(&largest);  // s is of unit length: not all of it can be zero
   Kinks kinks;
   for (Index j = 0; j < 3; ++j) {
-    kinks[j] = std::abs(shifted[j]) <= kKink && j != largest && weights[j] > 0;
+    kinks[j] = std::abs(shifted[j]) <= kKinkShare && j != largest && weights[j] > 0;
     if (!kinks[j]) u[j] = std::copysign(1.0, j == largest ? s[j] : shifted[j]);
   }
   return kinks;

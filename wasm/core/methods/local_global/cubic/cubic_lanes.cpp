@@ -1,16 +1,18 @@
+// Its twin in double precision, one vertex at a time: cubic_exact.cpp.
 #include "methods/local_global/cubic/cubic_lanes.h"
 
 #include "geometry/rotation_newton.h"
+#include "methods/local_global/cubic/cubic_vertex.h"
 
 namespace whittle {
 
 namespace {
 
 constexpr int kMaxNewtonSteps = 8;
-constexpr float kLongestTurn = 0.7f;  // radians; the model holds no further
+constexpr float kLongest = static_cast<float>(kLongestTurn);
 constexpr float kConverged =
-    1e-5f;                      // |w|²; the error that the step leaves falls with |w|³, on the kinks after `settled`
-constexpr float kKink = 0.25f;  // share of u that decides whether a coordinate of R n stays at zero
+    1e-5f;  // |w|²; the error that the step leaves falls with |w|³, on the kinks after `settled`
+constexpr float kKink = static_cast<float>(kKinkShare);
 constexpr float kOutside = 1e-4f;  // by how much a subgradient may leave [−1, 1]; the gap is of its square
 constexpr float kRounding = 1e-6f;
 constexpr float kStill = kTurnOfRounding * kTurnOfRounding;
@@ -34,7 +36,7 @@ struct ActiveKinks {
           decide(s.z, weights.z, largestZ, u.z)};
   }
 
-  /// Of three values by axis, those of the two axes that can have a kink. (x and y, x and z, or y and z.)
+  /// Picks, of three values by axis, those of the two axes that can have a kink. (x and y, x and z, or y and z.)
   template <typename T>
   T first(const T& x, const T& y) const {
     return select(largestX, y, x);
@@ -67,8 +69,8 @@ SymmetricLanes penalized(const SymmetricLanes& H, const VectorLanes& p, const Ve
 
 /// Shortens a turn to the length up to which the model holds; returns by which factor.
 Lanes shorten(VectorLanes& w, Lanes squaredTurn) {
-  if (!any(squaredTurn > kLongestTurn * kLongestTurn)) return splat(1);
-  const Lanes share = minimum(kLongestTurn / squareRoot(squaredTurn), splat(1));
+  if (!any(squaredTurn > kLongest * kLongest)) return splat(1);
+  const Lanes share = minimum(kLongest / squareRoot(squaredTurn), splat(1));
   w = share * w;
   return share;
 }

@@ -4,6 +4,10 @@
 
 namespace whittle {
 
+/// Numbers that Newton's method has in single and in double precision.
+inline constexpr double kLongestTurn = 0.7;  // radians of a step; the model holds no further
+inline constexpr double kKinkShare = 0.25;   // of u, which decides whether a coordinate of R n stays at zero
+
 /// One vertex of the cubic local step (2019, Eq. 3): max_R tr(R M) − Σ_j κ_j |(R n)_j|, κ = λ a on each axis.
 struct CubicVertex {
   Mat3 M;

@@ -7,11 +7,11 @@ namespace whittle {
 namespace {
 
 constexpr int kMaxSteps = 16;
-constexpr float kLongestTurn = 0.7f;  // radians; the model holds no further
-constexpr float kConverged = 1e-7f;   // |w|², which the constraints feel
-constexpr float kAtKink = 5e-7f;      // |b · R n| that counts as zero
-constexpr float kKink = 0.25f;        // share of u that decides whether a row stays at its kink
-constexpr float kOutside = 1e-4f;     // by how much a subgradient may leave [−1, 1]
+constexpr float kLongest = static_cast<float>(kLongestTurn);
+constexpr float kConverged = 1e-7f;  // |w|², which the constraints feel
+constexpr float kAtKink = 5e-7f;     // |b · R n| that counts as zero
+constexpr float kKink = static_cast<float>(kKinkShare);
+constexpr float kOutside = 1e-4f;  // by how much a subgradient may leave [−1, 1]
 constexpr float kRounding = 1e-6f;
 /// ρ, for covariances of size 1: each step leaves about 1/ρ of a violated constraint.
 constexpr float kPenalty = 50;  // on kinks that turn away, of the size of M
@@ -74,8 +74,7 @@ PolyhedralClimb climbPolyhedral(const MatrixLanes& M, const VectorLanes& n, Lane
     valid &= inverse.definite | done;
     const VectorLanes newton = inverse.inverse * g;
     const Lanes squaredTurn = dot(newton, newton);
-    const Lanes share =
-        select(squaredTurn > kLongestTurn * kLongestTurn, kLongestTurn / squareRoot(squaredTurn), splat(1));
+    const Lanes share = select(squaredTurn > kLongest * kLongest, kLongest / squareRoot(squaredTurn), splat(1));
     const VectorLanes w = keep(valid & ~done, share * newton);
     rotations = turned(rotations, keep(squaredTurn > kTurnOfRounding * kTurnOfRounding, w));
 

@@ -32,7 +32,7 @@ class DevelopableNormals {
   };
 
   void gatherRings(const Points& positions);
-  /// Of the rings of the rest shape.
+  /// Quantile of e1 / e0 over the rings of the rest shape.
   double quantileOfBend(double share) const;
 
   const Triangles* triangles_ = nullptr;

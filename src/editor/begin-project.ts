@@ -1,0 +1,61 @@
+import { findMethod, methods } from '../methods/registry.ts';
+import type { ParameterValues } from '../methods/values/index.ts';
+import type { Recipe, Resolver } from '../recipe/index.ts';
+import type { OpenedFile } from './open-file.ts';
+import { type Assets, activeStep, type Project } from './project.ts';
+import { startingStep, styleParameter } from './starting-step.ts';
+import { newStep } from './steps.ts';
+
+/** What a mesh opens with. */
+export interface Beginning {
+  /** Default: the style that the mesh before it had, or else the first method. */
+  readonly method?: string;
+  /** Values that are not to be those that suit the mesh. */
+  readonly parameters?: ParameterValues;
+  /** A whole stack, in place of one step of {@link method}. */
+  readonly recipe?: Recipe;
+  /** What the steps name. */
+  readonly assets?: Assets;
+}
+
+/**
+ * The project that a file begins as, not solved yet.
+ *
+ * @param last what was done to the mesh before it, if there was one
+ * @throws WhittleError as the style that it is to have cannot be read
+ */
+export async function beginProject(
+  file: OpenedFile,
+  begin: Beginning,
+  last: Project | null,
+  resolver: Resolver,
+): Promise<Project> {
+  const kept = begin.method || begin.recipe ? null : keptStyle(last);
+  const method = findMethod(begin.method ?? kept?.method ?? '') ?? methods[0]!;
+  const given = { ...kept?.parameters, ...begin.parameters };
+  const recipe = begin.recipe ?? { steps: [await startingStep(method, given, file, resolver)] };
+  const steps = recipe.steps.map(newStep);
+  const { source, mesh, report } = file;
+  const assets: Assets = begin.assets ?? kept?.assets ?? new Map();
+  return { source, mesh, report, steps, active: steps.at(-1)!.id, assets };
+}
+
+interface KeptStyle {
+  readonly method: string;
+  readonly parameters: ParameterValues;
+  readonly assets: Assets;
+}
+
+/** A style is put on the next mesh too; other methods may not suit it. */
+function keptStyle(project: Project | null): KeptStyle | null {
+  const step = project && activeStep(project);
+  const parameter = step && styleParameter(findMethod(step.method));
+  const style = parameter && step.parameters[parameter.name];
+  if (!parameter || typeof style !== 'string') return null;
+  const asset = project.assets.get(style);
+  return {
+    method: step.method,
+    parameters: { [parameter.name]: style },
+    assets: asset ? new Map([[style, asset]]) : new Map(),
+  };
+}
