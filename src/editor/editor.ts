@@ -79,7 +79,7 @@ export class Editor {
     return this.#open(name, read, begin);
   }
 
-  /** The same for a file that was read already. */
+  /** Opens a file that was read already, and runs its stack. */
   openRead(file: ReadFile, begin: Beginning = {}): Promise<void> {
     return this.#open(file.name, async () => file, begin);
   }

@@ -53,7 +53,7 @@ export interface StepInputs {
 
 /** A step of the stack, in recipe form. */
 export interface Step extends RecipeStep {
-  /** The same step whatever is changed of it and wherever it is moved. */
+  /** Names the step: it stays whatever is changed of the step and wherever it is moved. */
   readonly id: number;
   /** A step that is switched off stays in the stack and does nothing. */
   readonly isOn: boolean;

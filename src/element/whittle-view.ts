@@ -28,7 +28,9 @@ const workerBeside = new URL(/* @vite-ignore */ './whittle-worker.js', import.me
  * `canvas`, `poster`, `progress`, `error`, `controls`.
  */
 export class WhittleView extends LitElement {
+  /** The rules of its shadow root. */
   static override styles = styles;
+  /** Properties that are attributes too, and what it redraws for. */
   static override properties = {
     src: { reflect: true },
     alt: { reflect: true },

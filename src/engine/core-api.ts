@@ -61,7 +61,7 @@ export interface CoreParameter {
   readonly name: string;
   readonly kind: string;
   readonly invalidates: string;
-  /** Of a choice, the name. */
+  /** The value that it has unless it is set; a choice says it by its name. */
   readonly default?: number | string | boolean | readonly number[];
   readonly min?: number;
   readonly max?: number;

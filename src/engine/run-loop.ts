@@ -93,7 +93,7 @@ async function prepare(mesh: LoadedMesh, values: EncodedValues, run: Run, hop: H
     await hop();
     lastHop = performance.now();
     if (run.isCancelled) return false;
-    // Of two that come one after the other one must get to its first step: else a fast drag on a large mesh would show nothing.
+    // One of two that come one after the other must get to its first step: else a fast drag on a large mesh would show nothing.
     if (run.isSuperseded && !mesh.isOverdue) {
       mesh.isOverdue = true;
       return false;

@@ -9,7 +9,7 @@ export class WasmHeap {
     this.#module = module;
   }
 
-  /** Of all the memory, used or not; it never shrinks. */
+  /** The size of all the memory, used or not; it never shrinks. */
   get bytes(): number {
     return this.#module.HEAPU8.byteLength;
   }

@@ -20,7 +20,7 @@ export type Format = (typeof formats)[number]['id'];
 
 export interface FormatInfo {
   readonly id: Format;
-  /** Of file names, with its dot. */
+  /** What file names end in, with its dot. */
   readonly ending: string;
   /** What a person reads in a menu. */
   readonly label: string;
@@ -54,7 +54,7 @@ export function formatInfo(format: Format): FormatInfo {
  *
  * @param source the format of the file that is being given back; it is kept where it goes with the ending, so that an
  *   ASCII STL stays one
- * @throws unknown-format if the ending is none of {@link fileNameEndings}
+ * @throws unknown-format if the ending is that of none of {@link formats}
  */
 export function formatForFileName(name: string, source?: Format): Format {
   const candidates = formats.filter(({ ending }) => ending === endingOf(name));

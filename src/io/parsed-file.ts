@@ -11,7 +11,7 @@ export interface Faces {
 /** A picture inside a mesh file. */
 export interface EmbeddedPicture {
   readonly name: string;
-  /** Of a PNG or JPEG file. */
+  /** The bytes of a PNG or JPEG file. */
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 

@@ -2,7 +2,10 @@ import { type Measure, type Measured, positionsNow } from './measure.ts';
 import { surveyOf } from './mesh-survey.ts';
 import { percent, quantile, roundedUp } from './statistics.ts';
 
-/** Of the file's own shape; negative at saddles, positive at peaks and hollows, zero where it can be unrolled (2021, Fig. 21). */
+/**
+ * Gaussian curvature of the file's own shape: negative at saddles, positive at peaks and hollows, zero where it can be unrolled
+ * (2021, Fig. 21).
+ */
 export const curvatureBefore: Measure = {
   name: 'curvature-before',
   label: 'Curvature before',

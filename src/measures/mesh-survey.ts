@@ -23,7 +23,7 @@ export class Survey {
   readonly #rings: Rings;
   readonly #normals: NormalWriter;
   readonly #weld: Weld;
-  /** Of the file's own shape, which is asked for again and again. */
+  /** Values of the file's own shape, which is asked for again and again. */
   readonly #own = new Map<string, Float32Array | Float64Array>();
 
   constructor(mesh: Mesh) {

@@ -1,4 +1,4 @@
-/** Of values of which NaN counts as none. */
+/** The mean of some values; NaN counts as none, and of none it is 0. */
 export function mean(values: ArrayLike<number>): number {
   let sum = 0;
   let count = 0;

@@ -110,7 +110,8 @@ export interface RunOptions {
  * Runs the steps of a recipe one after the other: each gets as its rest shape what the one before left. The one runner of command
  * line, page and element.
  *
- * @throws WhittleError as {@link runStep}; the sentence begins with `name` and, where there are several steps, says which
+ * @throws WhittleError as a step's names, its values or the mesh are refused, or as it failed; the sentence begins with `name` and,
+ *   where there are several steps, says which
  */
 export async function runRecipe(
   engine: Engine,

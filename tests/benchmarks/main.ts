@@ -6,7 +6,7 @@ import { measure } from './program.ts';
 import { describeMachine, report } from './report.ts';
 import { reportAlone } from './report-alone.ts';
 
-const resultsFile = 'wasm/bench/RESULTS.md';
+const resultsFile = 'docs/benchmarks.md';
 
 /** The core against the plain Eigen path, natively and as wasm, or against another state of itself; or what styles reach. */
 export async function benchmark(args: readonly string[]): Promise<void> {

@@ -20,7 +20,7 @@ export type Size = (typeof sizes)[number];
 export interface Options {
   readonly methods: readonly MethodId[];
   readonly sizes: readonly Size[];
-  /** Whether the tables go to `wasm/bench/RESULTS.md` as well. */
+  /** Whether the tables go to `docs/benchmarks.md` as well. */
   readonly write: boolean;
   /** A git reference to time the working tree against. */
   readonly against?: string;
@@ -30,7 +30,7 @@ export const usage = `usage: npm run bench -- [METHOD …] [VERTICES …] [--qui
   METHOD    ${methods.join(', ')}; all unless one is named
   VERTICES  ${sizes.join(', ')}; all unless one is named
   --quick   2562 and 22046 vertices only
-  --write   keeps the tables in wasm/bench/RESULTS.md
+  --write   keeps the tables in docs/benchmarks.md
   --against times the working tree's wasm module against that of a commit or branch, 2562 and 22046 vertices by default
    or: npm run bench -- angles [--write]   how near ten meshes come to eight primitives`;
 

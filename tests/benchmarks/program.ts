@@ -40,7 +40,7 @@ export interface Timing {
     readonly fresh: number;
     readonly warm: number;
     readonly iteration: number;
-    /** Of the run, to its end if `finished` (1). */
+    /** How many the run took, to its end if `finished` (1). */
     readonly iterations: number;
     readonly finished: number;
     readonly time: number;

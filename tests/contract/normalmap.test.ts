@@ -118,7 +118,7 @@ describe('a ring, read from a file', () => {
     return { ...mesh, positions, triangles: mesh.triangles.map(inside) };
   }
 
-  /** Those of small waves along the ring, longer outside than inside, and around the tube: large ones would have to stretch it. */
+  /** Slopes of small waves along the ring, longer outside than inside, and around the tube: large ones would have to stretch it. */
   const slopes = (u: number, v: number): [number, number] => [
     (0.1 * Math.cos(6 * turn * u)) / (1 + 0.4 * Math.cos(turn * v)),
     0.1 * Math.sin(6 * turn * v),

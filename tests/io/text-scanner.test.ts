@@ -5,7 +5,7 @@ import { ascii } from '../fixtures/tiny-files.ts';
 
 const scan = (text: string) => new TextScanner(ascii(text), 'a.txt');
 
-/** The same number to the bit, −0 and 0 apart. */
+/** Expects the scanner to read the number that JavaScript reads, to the bit, −0 and 0 apart. */
 function expectSame(text: string): void {
   expect(Object.is(scan(text).decimal(), Number(text)), text).toBe(true);
 }

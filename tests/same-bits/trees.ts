@@ -6,7 +6,7 @@ import type { Command } from './commands.ts';
 /** What one command line left behind. */
 export interface Result {
   readonly file: Uint8Array;
-  /** Of each step, as the report has them: times and warnings may be others. */
+  /** What the report says of each step; times and warnings may be others. */
   readonly steps: readonly Step[];
 }
 

@@ -70,7 +70,7 @@ class PlainLocalGlobal {
   const TriangleMesh& rest_;
   PlainProblem problem_;
 
-  // Of the rest shape
+  // What the rest shape says
   Scalars areas_;                    // #V, barycentric
   Points normals_;                   // #V×3
   Scalars targetWeights_;            // #V, λ A_i with mixed Voronoi areas; empty without a style
@@ -79,7 +79,7 @@ class PlainLocalGlobal {
   std::vector<HalfEdge> halfEdges_;  // the edges of all faces of vertex 0, of vertex 1, …
   Eigen::SparseMatrix<double, Eigen::RowMajor, Index> rightHandSideOf_;  // K, #V×3#V: B = K [R_0ᵀ; R_1ᵀ; …]
 
-  // Of the rest shape and the handles; the system is three times the cotangent Laplacian
+  // What the rest shape and the handles say; the system is three times the cotangent Laplacian
   std::optional<Gauge> gauge_;
   std::vector<Index> free_, held_;  // vertices
   SparseMatrix system_;             // #V×#V

@@ -15,7 +15,7 @@ export interface ImageEntry {
   readonly image?: Image;
   /** The file that has it inside; other meshes do not get it. */
   readonly file?: Source;
-  /** The same object for the same options. @throws WhittleError as `textureOf` */
+  /** Makes the texture, the same object for the same options. @throws WhittleError as `textureOf` */
   readonly texture: (options?: TextureOptions) => Texture;
 }
 

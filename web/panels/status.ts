@@ -57,7 +57,7 @@ function rest(project: PageState['project']): string {
   return `Carved in ${many}, ${seconds < 10 ? seconds.toFixed(2) : seconds.toFixed(0)} s`;
 }
 
-/** Of a method without a tolerance the number of iterations is no limit but all there is. */
+/** Whether nothing but the number of iterations ends the method: without a tolerance it is no limit but all there is. */
 function endsByCount(method: string): boolean {
   return !findMethod(method)?.parameters.some(({ name }) => name === 'tolerance');
 }

@@ -14,7 +14,7 @@ import type { PageStore } from '../app/page-state.ts';
 
 /** What the brush is like. */
 export interface Brush {
-  /** Of its tip on the ball, in degrees. */
+  /** The size of its tip on the ball, in degrees. */
   readonly size: number;
   readonly hardness: number;
   /** The normal that it paints, unit, in the file's axes. */

@@ -18,7 +18,7 @@ export function readPng(bytes: Uint8Array, name: string): CapturePixels {
 }
 
 /**
- * The same with all the precision that the file has, up to 16 bits: RGBA from 0 to `white`.
+ * Decodes a PNG with all the precision that the file has, up to 16 bits: RGBA from 0 to `white`.
  *
  * @throws WhittleError as {@link readPng}
  */

@@ -6,7 +6,7 @@ import type { Texture } from './texture.ts';
  */
 export class Pyramid {
   readonly levels: readonly Texture[];
-  /** Of each level, once it was asked for. */
+  /** The steepness of each level, once it was asked for. */
   readonly #steepness: number[] = [];
 
   constructor(texture: Texture) {

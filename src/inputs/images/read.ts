@@ -57,7 +57,7 @@ export async function decodePng(bytes: Uint8Array, name: string): Promise<Image>
 
 const textures = new WeakMap<Image, Map<string, Texture>>();
 
-/** The same object for the same image and options. @throws WhittleError as `textureOf` */
+/** The texture of an image, the same object for the same image and options. @throws WhittleError as `textureOf` */
 export function rememberedTexture(image: Image, name: string, options: TextureOptions = {}): Texture {
   const { reading = 'auto', green = 'up' } = options;
   const ofImage = textures.get(image) ?? new Map<string, Texture>();

@@ -78,7 +78,7 @@ function coordinate(value: number, white: number): number {
   return Math.abs(Math.abs(x) - 1 / 255) < 1e-6 ? 0 : x;
 }
 
-/** Of the pixels that can be seen. A mid grey is no normal, and none points into the surface. */
+/** The share of normals among the pixels that can be seen. A mid grey is no normal, and none points into the surface. */
 function shareOfNormals({ data, white }: Image): number {
   let seen = 0;
   let good = 0;

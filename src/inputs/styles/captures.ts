@@ -150,7 +150,7 @@ function requireCapture(pixels: CapturePixels): void {
     );
 }
 
-/** Of the pixels of the ball. */
+/** The share of normals among the pixels of the ball. */
 function shareOfNormals(pixels: CapturePixels): number {
   const size = pixels.width;
   let all = 0;

@@ -10,7 +10,7 @@ const convexityTolerance = 0.01;
 const mostDirections = 2000;
 
 interface Direction {
-  /** Of its largest face; the others are held against it, so that directions cannot creep round a curve. */
+  /** The normal of its largest face; others are held against that, so that directions cannot creep round a curve. */
   readonly seed: Vec3;
   areaVector: Vec3;
   readonly faces: number[];

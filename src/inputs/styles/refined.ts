@@ -3,7 +3,7 @@ import { between, row, type Vec3 } from '../../mesh/vectors.ts';
 import { corners, meshOf, type Surface, type Triangle } from './surface.ts';
 
 /**
- * The same surface in smaller triangles: every edge is halved until there are enough vertices. The shape and its normals
+ * Makes a surface of smaller triangles: every edge is halved until there are enough vertices. The shape and its normals
  * stay to rounding, but the flow to the sphere needs triangles to move: eight corners of a cube become no sphere.
  *
  * @param least vertices at least (default 2000, by which the flow keeps angles to a degree or two)

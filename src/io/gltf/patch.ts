@@ -12,7 +12,7 @@ import { apply3, applyTransposed3, invert3, linearPart } from './matrix.ts';
 import type { GltfFile, GltfNormals, GltfPart } from './scan.ts';
 
 /**
- * The same asset with other positions, normals and tangents, rounded to the numbers they are stored as, and with the
+ * Gives an asset back with other positions, normals and tangents, rounded to the numbers they are stored as, and with the
  * `min` and `max` of their accessors. Other JSON, chunks and buffers stay byte for byte.
  *
  * @throws unsupported-file if changed positions are stored as whole numbers, or under a transform that flattens them

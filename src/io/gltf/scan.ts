@@ -54,7 +54,7 @@ class GltfScan {
   readonly #meshes = new Set<number>();
   readonly #warnings = new Set<string>();
   readonly #normalMap: NormalMapSearch;
-  /** Of every corner, v upward; empty as long as no part has any. */
+  /** Texture coordinates of every corner, v upward; empty as long as no part has any. */
   readonly #uvs = new FloatList();
   #skippedPrimitives = 0;
   #repeated = 0;

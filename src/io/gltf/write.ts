@@ -22,7 +22,7 @@ export function writeGlb(shape: Shape): Uint8Array<ArrayBuffer> {
   return result;
 }
 
-/** The same as one JSON file with its data inside. */
+/** A new glTF as one JSON file with its data inside: what `writeGlb` makes, in text. */
 export function writeGltf(shape: Shape): Uint8Array<ArrayBuffer> {
   const bin = binaryPart(shape);
   const uri = `data:application/octet-stream;base64,${encodeBase64(bin)}`;
@@ -75,7 +75,7 @@ function jsonPart(shape: Shape, bin: Uint8Array, uri?: string): object {
   };
 }
 
-/** Of the rounded values, as the file has them. */
+/** The smallest and largest of the positions as the file has them, rounded. */
 function floatBounds(positions: Float64Array): { min: number[]; max: number[] } {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];

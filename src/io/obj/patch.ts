@@ -2,7 +2,7 @@ import { newNormals } from '../normals.ts';
 import { firstThree, normalTexts, positionTexts, TextPatch } from '../text-patch.ts';
 import type { ObjFile } from './scan.ts';
 
-/** The same OBJ file with other numbers in its `v` and `vn` lines; each number that keeps its value keeps its text. */
+/** Gives an OBJ file back with other numbers in its `v` and `vn` lines; each number that keeps its value keeps its text. */
 export function patchObj(
   source: Uint8Array,
   file: ObjFile,

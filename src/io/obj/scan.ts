@@ -107,7 +107,7 @@ class ObjScan {
     this.#uvs.push2(u, this.#lenientNumber());
   }
 
-  /** Of what is not needed to read the shape: a NaN in it, or its absence, is no reason to refuse the file. */
+  /** A number that is not needed to read the shape: NaN, or its absence, is no reason to refuse the file. */
   #lenientNumber(): number {
     const scanner = this.#scanner;
     if (scanner.peekInLine() === lf) return Number.NaN;

@@ -4,7 +4,7 @@ import type { OffFile } from './scan.ts';
 
 const columns: readonly number[] = [0, 1, 2, 3, 4, 5];
 
-/** The same OFF file with other positions and vertex normals; colours, comments and faces stay. */
+/** Gives an OFF file back with other positions and vertex normals; colours, comments and faces stay. */
 export function patchOff(
   source: Uint8Array,
   file: OffFile,

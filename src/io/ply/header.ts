@@ -28,9 +28,9 @@ export const kindSize: Readonly<Record<NumberKind, number>> = {
 
 export interface PlyProperty {
   readonly name: string;
-  /** Of the value, or of each list entry. */
+  /** How the value, or each entry of a list, is stored. */
   readonly kind: NumberKind;
-  /** Of the list's length, if it is a list. */
+  /** How the length of the list is stored, if it is one. */
   readonly countKind?: NumberKind;
 }
 

@@ -7,7 +7,7 @@ import { kindSize, type PlyProperty } from './header.ts';
 import { type PlyFile, plyNormal, plyPosition } from './scan.ts';
 
 /**
- * The same PLY file with other positions and vertex normals; every other property and element stays. `float` positions
+ * Gives a PLY file back with other positions and vertex normals; every other property and element stays. `float` positions
  * of a binary file are rounded to 32 bits.
  *
  * @throws unsupported-file if positions are stored as whole numbers, or behind a list, and have changed

@@ -45,7 +45,7 @@ class PlyScan {
   readonly #normals = new FloatList();
   readonly #colors = new FloatList();
   readonly #vertexUvs = new FloatList();
-  /** Of the corners so far, where a face lists them. */
+  /** Texture coordinates of the corners so far, where faces list them. */
   readonly #cornerUvs = new FloatList();
   readonly #rowOffsets = new IndexList();
   readonly #slots = new Float64Array(slotNames.length);
@@ -254,7 +254,7 @@ function isIndexList({ name, countKind }: PlyProperty): boolean {
   return countKind !== undefined && (name === 'vertex_indices' || name === 'vertex_index');
 }
 
-/** Of a face: u and v of each corner. */
+/** Whether a property of faces lists u and v of each corner. */
 function isUvList({ name, countKind }: PlyProperty): boolean {
   return countKind !== undefined && name === 'texcoord';
 }

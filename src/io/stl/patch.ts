@@ -4,7 +4,7 @@ import { firstThree, normalTexts, positionTexts, TextPatch } from '../text-patch
 import type { StlTextFile } from './scan-ascii.ts';
 import { type StlBinaryFile, stlFacet, stlHeader } from './scan-binary.ts';
 
-/** The same ASCII STL with other positions; the normals of facets that have moved follow. */
+/** Gives an ASCII STL back with other positions; the normals of facets that have moved follow. */
 export function patchStlText(
   source: Uint8Array,
   file: StlTextFile,
@@ -24,7 +24,7 @@ export function patchStlText(
   return patch.take();
 }
 
-/** The same binary STL with other positions, rounded to 32 bits; header, attributes and what follows stay. */
+/** Gives a binary STL back with other positions, rounded to 32 bits; header, attributes and what follows stay. */
 export function patchStlBinary(
   source: Uint8Array,
   file: StlBinaryFile,

@@ -30,7 +30,7 @@ TriangleMesh together(const TriangleMesh& first, const TriangleMesh& second, con
 /// A smooth bend of a mesh, so that nothing is special about it.
 TriangleMesh bent(TriangleMesh mesh);
 
-/// The same mesh with its vertices in another order: vertex v is then the one at `shuffledPlace(v, count)`.
+/// A mesh with its vertices in another order: vertex v is then the one at `shuffledPlace(v, count)`.
 TriangleMesh shuffled(const TriangleMesh& mesh);
 Index shuffledPlace(Index v, Index count);
 

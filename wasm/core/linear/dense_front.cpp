@@ -44,7 +44,7 @@ void subtractTile(double* C, Index ldC, const Tile& tile) {
   }
 }
 
-/// Of a tile at the edge only what lies inside.
+/// Subtracts of a tile at the edge only what lies inside.
 void subtractPart(double* C, Index ldC, const Tile& tile, Index rows, Index columns) {
   for (Index j = 0; j < columns; ++j, C += ldC) {
     const double column[] = {tile.low[j][0], tile.low[j][1], tile.high[j][0], tile.high[j][1]};

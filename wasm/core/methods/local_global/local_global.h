@@ -1,3 +1,4 @@
+// Read first: README.md beside this, from equation to file, and wasm/reference, the same iteration in plain Eigen.
 #pragma once
 
 #include <functional>
@@ -23,8 +24,7 @@ struct EngineValues {
   SolverParameters solver;
 };
 
-/// The engine of all local/global methods; `reference/plain_local_global.h` is the same iteration without what makes it
-/// fast, and to be read first.
+/// The engine of all local/global methods.
 ///
 /// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating
 /// between the rotations R (local step, the policy) and the positions (global step, one Poisson solve with handles

@@ -57,7 +57,7 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
   SparseCholesky cholesky_;
   RingSmoothing ringSmoothing_;
 
-  // Of the present shape
+  // What the present shape says
   CornerScalars halfCotangents_;
   Points moves_;  // #V×3: what the rotations ask for, then by how much the vertices move
   Points previous_;
