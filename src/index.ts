@@ -1,7 +1,8 @@
 // Whittle as a library. In Node the same names come from `index.node.ts`, whose engine needs no worker.
 
-export type { CallOptions, Engine, SolveOptions } from './engine/client.ts';
-export { createBrowserEngine as createEngine } from './engine/in-browser.ts';
+export type { CallOptions, Engine, ProgressListener, SolveOptions } from './engine/client.ts';
+export type { CoreField, CoreOutcome } from './engine/core-api.ts';
+export { type BrowserEngineOptions, createBrowserEngine as createEngine } from './engine/in-browser.ts';
 export type {
   Iterating,
   Outcome,
@@ -10,8 +11,11 @@ export type {
   ReadResult,
   Solved,
   SolveSettings,
+  Start,
 } from './engine/protocol.ts';
+export type { Image } from './inputs/images/image.ts';
 export {
+  type EmbeddedImage,
   type Format,
   type FormatInfo,
   formatForFileName,
@@ -20,9 +24,9 @@ export {
   readMesh,
   writeMesh,
 } from './io/index.ts';
-export { type FailureCode, failureCodes, WhittleError } from './mesh/failure.ts';
+export { type Failure, type FailureCode, failureCodes, WhittleError } from './mesh/failure.ts';
 export type { Mesh, MeshReport, Weld } from './mesh/mesh.ts';
-export type { MethodDescriptor } from './methods/descriptor.ts';
+export type { MethodDescriptor, StartingPoint, StyleTargets } from './methods/descriptor.ts';
 export { findMethod, methods } from './methods/registry.ts';
 export type { GaussMap } from './methods/values/gauss-map.ts';
 export type { Handles } from './methods/values/handles.ts';

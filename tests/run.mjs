@@ -39,7 +39,9 @@ const wanted = firstArgument < 0 ? words : words.slice(0, firstArgument);
 const passedOn = words.slice(wanted.length);
 if (wanted.length === 0) fail(`Name what to run: ${Object.keys(pieces).join(', ')}.`);
 if (wanted.length > 1 && passedOn.length > 0)
-  fail(`${passedOn.join(' ')} can be passed on to one piece only, as in: npm run test:library -- tests/app`);
+  fail(
+    `${passedOn.join(' ')} can be passed on to one piece only, as in: npm run test:library -- tests/editor`,
+  );
 
 if (run([execPath, 'wasm/tools/setup.mjs', ...wanted]) !== 0) process.exit(1);
 for (const [title, ...command] of wanted.flatMap((name) => pieces[name])) {

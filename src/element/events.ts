@@ -10,6 +10,7 @@ export interface ViewEventMap {
         readonly phase: 'download' /** From 0 to 1; NaN where the server does not say how long the file is. */;
         readonly share: number;
       }
+    | { readonly phase: 'prepare'; readonly stage: string /** From 0 to 1. */; readonly share: number }
     | { readonly phase: 'solve'; readonly iteration: number }
   >;
   /** A step has ended, and its shape is on the screen. */

@@ -286,8 +286,10 @@ export class WhittleView extends LitElement {
 
   #follow({ project, activity, notice }: EditorState): void {
     this.requestUpdate();
-    if (activity.kind === 'solving')
-      this.#tell('progress', { phase: 'solve', iteration: activity.iteration });
+    if (activity.kind === 'solving') {
+      const { preparing, iteration } = activity;
+      this.#tell('progress', preparing ? { phase: 'prepare', ...preparing } : { phase: 'solve', iteration });
+    }
     if (notice?.tone === 'error' && notice.text !== this.failure) this.#fail(new Error(notice.text));
     const result = project && shownResult(project);
     if (!result || result === this.#told || result.state === 'preview') return;

@@ -61,7 +61,7 @@ export interface ReadResult {
   readonly mesh: Mesh;
   /** By the bytes, not by the name: 'obj', 'stl-binary', … */
   readonly format: Format;
-  /** The normal map inside the file, as the bytes of a picture. */
+  /** The normal map inside the file, as the bytes of an image. */
   readonly normalMap?: { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> };
   readonly warnings: readonly string[];
 }

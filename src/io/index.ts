@@ -4,7 +4,7 @@ import { plainBytes } from './bytes.ts';
 import { fitsFloat32, unfitPosition } from './fit.ts';
 import { type Format, formats, isFormat } from './formats.ts';
 import { handlers } from './handlers.ts';
-import { type EmbeddedPicture, type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
+import { type EmbeddedImage, type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
 import { triangulate } from './polygon.ts';
 import { counted, refusal } from './refuse.ts';
 import { recognise } from './sniff.ts';
@@ -20,13 +20,13 @@ export {
   isFormat,
   isMeshFileName,
 } from './formats.ts';
-export type { EmbeddedPicture } from './parsed-file.ts';
+export type { EmbeddedImage } from './parsed-file.ts';
 
 export interface ReadMesh {
   readonly mesh: Mesh;
   readonly format: Format;
   /** The normal map that the file has inside, if all its parts share one. */
-  readonly normalMap?: EmbeddedPicture;
+  readonly normalMap?: EmbeddedImage;
   /** Sentences about what was skipped or simplified. */
   readonly warnings: string[];
 }

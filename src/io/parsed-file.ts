@@ -8,8 +8,8 @@ export interface Faces {
   readonly corners: Uint32Array<ArrayBuffer>;
 }
 
-/** A picture inside a mesh file. */
-export interface EmbeddedPicture {
+/** An image inside a mesh file. */
+export interface EmbeddedImage {
   readonly name: string;
   /** The bytes of a PNG or JPEG file. */
   readonly bytes: Uint8Array<ArrayBuffer>;
@@ -25,7 +25,7 @@ export interface ParsedFile {
   /** #C×2, v upward; NaN at corners without. Absent where the file has none. */
   readonly uvs?: Float32Array<ArrayBuffer>;
   /** The normal map of all parts, if the file has one inside. */
-  readonly normalMap?: EmbeddedPicture;
+  readonly normalMap?: EmbeddedImage;
   /** Sentences about what was skipped. */
   readonly warnings: readonly string[];
 }

@@ -13,7 +13,7 @@ export interface Mesh {
   readonly colors?: Float32Array<ArrayBuffer>;
   /**
    * #F×3×2, texture coordinates of every face corner, if the file has them: u to the right, v upward, so that the top row of a
-   * picture is at v = 1 whatever the format says. NaN at corners that have none.
+   * image is at v = 1 whatever the format says. NaN at corners that have none.
    */
   readonly uvs?: Float32Array<ArrayBuffer>;
 }

@@ -4,8 +4,7 @@ import { lambdaPerVertex, regularizer, shared } from './shared-parameters.ts';
 export const normalmap: MethodDescriptor = {
   id: 'normalmap',
   title: 'Relief',
-  summary:
-    'Make shape of a picture: a normal map or a height map becomes geometry where it lies on the mesh.',
+  summary: 'Make shape of an image: a normal map or a height map becomes geometry where it lies on the mesh.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §6',
   shading: 'smooth',
   parameters: [
@@ -42,7 +41,7 @@ export const normalmap: MethodDescriptor = {
       name: 'strength',
       kind: 'number',
       label: 'Strength',
-      doc: 'How many times as steep as the picture says; less than 0 presses in what stands out. A height map at 1 is a twentieth of its width deep.',
+      doc: 'How many times as steep as the image says; less than 0 presses in what stands out. A height map at 1 is a twentieth of its width deep.',
       invalidates: 'weights',
       default: 1,
       min: -20,
@@ -54,7 +53,7 @@ export const normalmap: MethodDescriptor = {
       name: 'repeat',
       kind: 'number',
       label: 'Repeat',
-      doc: 'How often the picture is laid side by side over the texture coordinates from 0 to 1; whole numbers meet at seams.',
+      doc: 'How often the image is laid side by side over the texture coordinates from 0 to 1; whole numbers meet at seams.',
       invalidates: 'weights',
       isForLibrary: true,
       default: 1,
@@ -67,7 +66,7 @@ export const normalmap: MethodDescriptor = {
       name: 'lambda',
       kind: 'number',
       label: 'Pull',
-      doc: 'λ of Eq. 1: how strongly normals are drawn to the picture’s. Less than 10 loses height.',
+      doc: 'λ of Eq. 1: how strongly normals are drawn to the image’s. Less than 10 loses height.',
       invalidates: 'weights',
       advanced: true,
       default: 10,

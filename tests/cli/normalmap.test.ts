@@ -100,7 +100,7 @@ test('a mesh that is too coarse for the picture is told so', async () => {
   const said = await desk.run('normalmap @in.obj --image weave --repeat 20 --out @out.obj');
   expect(said.code).toBe(0);
   expect(said.stderr).toMatch(
-    /in.obj: The picture is finer than this mesh can show: an edge spans about \d+/,
+    /in.obj: The image is finer than this mesh can show: an edge spans about \d+/,
   );
 });
 

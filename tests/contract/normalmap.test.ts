@@ -196,6 +196,6 @@ test('a relief of another mesh is refused, and a mere name too', async () => {
     /each corner of the mesh’s 18 faces/,
   );
   session.configure('normalmap', new Map());
-  expect(() => prepare(session)).toThrow(/normalmap needs a picture/);
+  expect(() => prepare(session)).toThrow(/normalmap needs an image/);
   session.free();
 });

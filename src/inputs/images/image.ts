@@ -1,4 +1,4 @@
-/** A picture, whatever file it came from. */
+/** An image, whatever file it came from. */
 export interface Image {
   readonly width: number;
   readonly height: number;

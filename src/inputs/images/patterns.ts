@@ -1,6 +1,6 @@
 import { heightOfWhite, type Texture, textureOfHeights } from './texture.ts';
 
-/** Pictures of our own. Each is a rule: a height from 0 to 1 for a place of the unit square, which meets itself at its edges. */
+/** Images of our own. Each is a rule: a height from 0 to 1 for a place of the unit square, which meets itself at its edges. */
 type Rule = (u: number, v: number) => number;
 
 const side = 512;

@@ -18,7 +18,7 @@ export class Pyramid {
   /**
    * The mean slope around a place of the texture, which goes on beyond its edges; written to `into`.
    *
-   * @param u to the right, v upward; 0 to 1 is the picture once
+   * @param u to the right, v upward; 0 to 1 is the image once
    * @param level log₂ of the footprint's side in pixels; below 0 there is nothing finer
    */
   sample(u: number, v: number, level: number, into: Float64Array): void {

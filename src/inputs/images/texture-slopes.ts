@@ -7,7 +7,7 @@ import { Pyramid } from './pyramid.ts';
 import type { Texture } from './texture.ts';
 
 export interface TextureSlopesOptions {
-  /** How often the picture is laid side by side over texture coordinates from 0 to 1. Default 1. */
+  /** How often the image is laid side by side over texture coordinates from 0 to 1. Default 1. */
   readonly repeat?: number | undefined;
 }
 
@@ -22,7 +22,7 @@ function pyramidOf(texture: Texture): Pyramid {
 
 /**
  * Lays a texture on a mesh, by the mesh's texture coordinates: what the parameter `image` of `normalmap` takes in the engine. Each
- * corner gets the mean over what its vertex covers of the picture, so that a coarse mesh sees no noise between its vertices.
+ * corner gets the mean over what its vertex covers of the image, so that a coarse mesh sees no noise between its vertices.
  *
  * @throws WhittleError `unsuitable-mesh` if the mesh has no texture coordinates
  */
@@ -50,7 +50,7 @@ export function textureSlopesOf(
 
 /** How much of a texture a mesh is fine enough to show. */
 export interface Legibility {
-  /** Pixels of the picture along an edge, typically. */
+  /** Pixels of the image along an edge, typically. */
   readonly pixelsPerEdge: number;
   /** What is left of its slopes when it is averaged over so many pixels, from 0 to 1. */
   readonly kept: number;
@@ -70,15 +70,15 @@ export function legibility(
   return { pixelsPerEdge: typical, kept: all === 0 ? 1 : pyramid.steepness(Math.log2(typical)) / all };
 }
 
-/** A sentence for a picture that is too fine for the mesh; undefined if enough of it is to be seen. */
+/** A sentence for an image that is too fine for the mesh; undefined if enough of it is to be seen. */
 export function tooFine({ pixelsPerEdge, kept }: Legibility): string | undefined {
   if (kept >= 0.35) return undefined;
   const pixels = Math.max(2, Math.round(pixelsPerEdge));
-  return `The picture is finer than this mesh can show: an edge spans about ${pixels} of its pixels, and ${Math.round(100 * kept)} % of the relief is left. Repeat it less, or subdivide the mesh.`;
+  return `The image is finer than this mesh can show: an edge spans about ${pixels} of its pixels, and ${Math.round(100 * kept)} % of the relief is left. Repeat it less, or subdivide the mesh.`;
 }
 
 /**
- * How often a picture that comes once lies along the mesh: the side of the whole texture, as an area, over that of the surface, times
+ * How often an image that comes once lies along the mesh: the side of the whole texture, as an area, over that of the surface, times
  * the mesh's diagonal.
  *
  * @throws WhittleError as {@link textureSlopesOf}
@@ -107,7 +107,7 @@ function requireUvs({ uvs }: Pick<Mesh, 'uvs'>): Float32Array {
   if (uvs) return uvs;
   throw new WhittleError(
     'unsuitable-mesh',
-    'The mesh has no texture coordinates, and normalmap needs them to lay the picture on it; unwrap it and export it with UVs.',
+    'The mesh has no texture coordinates, and normalmap needs them to lay the image on it; unwrap it and export it with UVs.',
   );
 }
 

@@ -2,7 +2,7 @@ import { WhittleError } from '../../mesh/failure.ts';
 import type { Image } from './image.ts';
 
 /**
- * What a picture says of a surface: how it rises at every pixel. Slopes can be averaged, as normals cannot: the mean slope of a
+ * What an image says of a surface: how it rises at every pixel. Slopes can be averaged, as normals cannot: the mean slope of a
  * patch is the slope of the mean height.
  */
 export interface Texture {
@@ -19,21 +19,21 @@ export interface TextureOptions {
   readonly green?: 'up' | 'down' | undefined;
 }
 
-/** White stands so much above black, as a share of the picture's width. */
+/** White stands so much above black, as a share of the image's width. */
 export const heightOfWhite = 1 / 20;
 
-/** Larger pictures are more than any mesh can show. */
+/** Larger images are more than any mesh can show. */
 const mostPixels = 2 ** 24;
 /** Colours this near to a unit vector's are read as one. */
 const unitTolerance = 0.15;
-/** So many of a picture's pixels must be normals for auto to take it for a normal map, and for `normals` to take it at all. */
+/** So many of an image's pixels must be normals for auto to take it for a normal map, and for `normals` to take it at all. */
 const shareOfMap = 0.9;
 const leastShare = 0.5;
 /** Normals that lean more than this have slopes without end. */
 const steepest = 10;
 
 /**
- * Reads a picture.
+ * Reads an image.
  *
  * @param name for the message
  * @throws WhittleError `unsupported-file` if it is too large or empty, or no normal map although it is to be read as one
@@ -41,7 +41,7 @@ const steepest = 10;
 export function textureOf(image: Image, name: string, options: TextureOptions = {}): Texture {
   const { width, height } = image;
   if (!(width > 0 && height > 0 && width * height <= mostPixels)) {
-    const sentence = `the picture has ${width} × ${height} pixels; scale it to at most 4096 on a side.`;
+    const sentence = `the image has ${width} × ${height} pixels; scale it to at most 4096 on a side.`;
     throw new WhittleError('unsupported-file', `${name}: ${sentence}`);
   }
   const { reading = 'auto', green = 'up' } = options;
@@ -55,7 +55,7 @@ export function textureOf(image: Image, name: string, options: TextureOptions = 
   return { width, height, slopes };
 }
 
-/** The texture of heights in picture widths, one a pixel, that go on beyond each edge as they begin at the other. */
+/** The texture of heights in image widths, one a pixel, that go on beyond each edge as they begin at the other. */
 export function textureOfHeights(width: number, height: number, heights: ArrayLike<number>): Texture {
   const slopes = new Float32Array(2 * width * height);
   for (let j = 0; j < height; j++) {

@@ -1,4 +1,4 @@
-import type { EmbeddedPicture } from '../parsed-file.ts';
+import type { EmbeddedImage } from '../parsed-file.ts';
 import { decodeBase64 } from './base64.ts';
 import type { GltfDocument, Json } from './document.ts';
 
@@ -17,8 +17,8 @@ export class NormalMapSearch {
     this.#images.add(this.#imageOf(material));
   }
 
-  /** The picture that all parts share; undefined if they share none, or if it is not in the file. */
-  found(): EmbeddedPicture | undefined {
+  /** The image that all parts share; undefined if they share none, or if it is not in the file. */
+  found(): EmbeddedImage | undefined {
     const [image] = this.#images;
     if (this.#images.size !== 1 || image === undefined) return undefined;
     const { name, uri, bufferView } = this.#element('images', image);

@@ -74,7 +74,7 @@ Status validateTextureSlopes(const TextureSlopes& texture, Index faceCount) {
   }
   return Status::failure(
       Code::unsuitableMesh,
-      "the texture coordinates of all faces are single points or lines, so no picture can lie on them; unwrap the "
+      "the texture coordinates of all faces are single points or lines, so no image can lie on them; unwrap the "
       "mesh and export it again");
 }
 

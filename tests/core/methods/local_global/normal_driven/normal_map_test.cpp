@@ -159,7 +159,7 @@ TEST_CASE("what cannot be done with a texture is refused by name") {
   REQUIRE(session.select("normalmap").ok());
   const Status none = session.prepare();
   CHECK(none.code == Code::badParameter);
-  CHECK(none.message.find("needs a picture") != std::string::npos);
+  CHECK(none.message.find("needs an image") != std::string::npos);
   CHECK(session.set("strength", encoded(good)).code == Code::badParameter);
   CHECK(session.set("image", encoded(waves(grid(5), 0.1, 1))).code == Code::badParameter);
   TextureSlopes infinite = good;

@@ -6,7 +6,7 @@ namespace whittle {
 
 Status NormalMapLocalStep::check(const NormalMapParameters& values) {
   if (values.image) return {};
-  return Status::failure(Code::badParameter, "normalmap needs a picture; give a normal map or a height map as image");
+  return Status::failure(Code::badParameter, "normalmap needs an image; give a normal map or a height map as image");
 }
 
 std::vector<std::string> NormalMapLocalStep::warnings(const NormalMapParameters& values) {
