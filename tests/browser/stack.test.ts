@@ -1,4 +1,4 @@
-import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
@@ -6,6 +6,8 @@ import { expect, it } from 'vitest';
 import { runCommandLine } from '../../src/cli/command-line.ts';
 import { violations } from './support/axe.ts';
 import { carved, picture } from './support/browser.ts';
+import { type SavedFile, saved } from './support/downloads.ts';
+import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();
@@ -29,13 +31,12 @@ async function add(method: string, steps: number): Promise<void> {
   await settled(steps);
 }
 
-async function saved(label: string, folder: string): Promise<string> {
-  await page.getByRole('button', { name: 'Other ways to export' }).click();
-  const item = page.getByRole('menuitem', { name: new RegExp(`^${label}`) });
-  const [download] = await Promise.all([page.waitForEvent('download'), item.click()]);
-  const path = join(folder, download.suggestedFilename());
-  await download.saveAs(path);
-  return path;
+/** What the page saves under an item of its export menu. */
+function exported(label: string): Promise<SavedFile> {
+  return saved(page, async () => {
+    await page.getByRole('button', { name: 'Other ways to export' }).click();
+    await page.getByRole('menuitem', { name: new RegExp(`^${label}`) }).click();
+  });
 }
 
 it('is built, switched, reordered, undone, and saved as a recipe that gives the same bytes without the page', async () => {
@@ -60,9 +61,11 @@ it('is built, switched, reordered, undone, and saved as a recipe that gives the 
 
   const folder = await mkdtemp(join(tmpdir(), 'whittle-stack-'));
   try {
-    const recipe = await saved('Recipe', folder);
-    const exported = await saved('glTF binary', folder);
-    expect(JSON.parse(await readFile(recipe, 'utf8')).steps).toHaveLength(2);
+    const saidBy = await exported('Recipe');
+    const shaped = await exported('glTF binary');
+    expect(JSON.parse(saidBy.bytes.toString()).steps).toHaveLength(2);
+    const recipe = join(folder, saidBy.name);
+    await writeFile(recipe, saidBy.bytes);
     const out = join(folder, 'headless.glb');
     const quiet = { write: () => true };
     const code = await runCommandLine(['run', recipe, 'public/samples/rabbit.glb', '--out', out], {
@@ -71,7 +74,7 @@ it('is built, switched, reordered, undone, and saved as a recipe that gives the 
       signal: new AbortController().signal,
     });
     expect(code).toBe(0);
-    expect((await readFile(out)).equals(await readFile(exported))).toBe(true);
+    expect((await readFile(out)).equals(shaped.bytes)).toBe(true);
   } finally {
     await rm(folder, { recursive: true });
   }
@@ -97,7 +100,7 @@ it('goes back into a step, edits it alone and shows the whole again', async () =
   expect(await picture(page)).not.toBe(before);
 });
 
-it.each([
+it.runIf(canEmulate).each([
   ['in dark', { colorScheme: 'dark' }],
   ['on a phone', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }],
 ] as const)('passes axe %s', async (_, options) => {

@@ -99,9 +99,7 @@ test('a normal map inside a glTF is unbaked unless another picture is named', as
 test('a mesh that is too coarse for the picture is told so', async () => {
   const said = await desk.run('normalmap @in.obj --image weave --repeat 20 --out @out.obj');
   expect(said.code).toBe(0);
-  expect(said.stderr).toMatch(
-    /in.obj: The image is finer than this mesh can show: an edge spans about \d+/,
-  );
+  expect(said.stderr).toMatch(/in.obj: The image is finer than this mesh can show: an edge spans about \d+/);
 });
 
 test.each([

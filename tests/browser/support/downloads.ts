@@ -21,11 +21,18 @@ export async function saved(page: Page, act: () => Promise<unknown>): Promise<Sa
 async function savedToFolder(act: () => Promise<unknown>): Promise<SavedFile> {
   await act();
   let finished: string | undefined;
+  let before = '';
+  let looks = 0;
   await until(() => {
+    // What is under way is an empty file with its name and another that ends in `.part` or has a name for the time being.
     const names = readdirSync(downloadsFolder);
-    // What is under way is an empty file with its name and another that ends in `.part`.
-    const [name] = names;
-    if (names.length === 1 && statSync(join(downloadsFolder, name!)).size > 0) finished = name;
+    const sizes = names.map(
+      (name) => statSync(join(downloadsFolder, name), { throwIfNoEntry: false })?.size ?? 0,
+    );
+    const now = `${names} ${sizes}`;
+    looks = now === before && names.length === 1 && sizes[0]! > 0 ? looks + 1 : 0;
+    before = now;
+    if (looks >= 20) finished = names[0];
     return finished !== undefined;
   });
   const path = join(downloadsFolder, finished!);
