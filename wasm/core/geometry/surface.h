@@ -1,8 +1,16 @@
 #pragma once
 
+#include <cmath>
+
 #include "base/types.h"
 
 namespace whittle {
+
+/// Quality of a triangle, 4√3 area / Σ edge²: 1 for an equilateral one, 0 for one without area.
+inline double triangleQuality(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return squares > 0 ? 2 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / squares : 0;
+}
 
 /// Area of each face, #F.
 Scalars faceAreas(const Points& positions, const Triangles& triangles);

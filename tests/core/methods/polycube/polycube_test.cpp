@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/rotation_fit.h"
+#include "geometry/surface.h"
 #include "methods/polycube/polycube.h"
 #include "support/allocations.h"
 #include "support/shapes.h"

@@ -1,8 +1,9 @@
 #include "methods/polycube/ring_smoothing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+
+#include "geometry/surface.h"
 
 namespace whittle {
 
@@ -16,11 +17,6 @@ double qualityOf(const Points& positions, const Triangles& triangles, Index f) {
 }
 
 }  // namespace
-
-double triangleQuality(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  return squares > 0 ? 2 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / squares : 0;
-}
 
 void RingSmoothing::prepare(const Points& rest, const Triangles& triangles) {
   acceptable_.resize(triangles.rows());

@@ -6,9 +6,6 @@
 
 namespace whittle {
 
-/// Quality of a triangle, 4√3 area / Σ edge²: 1 of an equilateral one, 0 of one without area.
-double triangleQuality(const Vec3& a, const Vec3& b, const Vec3& c);
-
 /// Smooths where triangles have become bad (2021, §5.1): their vertices move some way to the mean of their ring. What
 /// was bad from the beginning may stay so, and the rim of an open mesh keeps its place.
 class RingSmoothing {
