@@ -109,10 +109,10 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
                {"texture", encoded(textureOn(bench.mesh)), Stale::weights},
                {"handles", encoded(Handles{{2}, Points::Ones(1, 3)}), Stale::system},
                {"count", encoded(8), Stale::targets}};
-  for (const auto& [parameter, value, made] : cases) {
-    INFO(parameter);
-    CHECK(bench.set(parameter, value) == made);
-    CHECK(bench.set(parameter, value) == Stale::nothing);
+  for (const auto& one : cases) {
+    INFO(one.parameter);
+    CHECK(bench.set(one.parameter, one.value) == one.made);
+    CHECK(bench.set(one.parameter, one.value) == Stale::nothing);
   }
   const Everything& set = bench.values.values();
   CHECK(set.number == 0.75);
@@ -128,9 +128,9 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
   CHECK(set.handles.vertices == std::vector<Index>{2});
   CHECK(set.group.count == 8);
 
-  for (const auto& [parameter, value, made] : cases) {
-    INFO(parameter);
-    CHECK(bench.set(parameter, RawValue{}) == made);
+  for (const auto& one : cases) {
+    INFO(one.parameter);
+    CHECK(bench.set(one.parameter, RawValue{}) == one.made);
   }
   CHECK(set.number == 0.5);
   CHECK(set.colour == Colour::green);

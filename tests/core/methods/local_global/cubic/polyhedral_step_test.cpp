@@ -132,8 +132,8 @@ TEST_CASE("the polyhedra are what their names say") {
                                              {Name::hexagonalPrism, 4},
                                              {Name::rhombicDodecahedron, 6},
                                              {Name::truncatedOctahedron, 7}};  // pairs of opposite ones
-  for (const auto& [word, name] : Polyhedron::names()) {
-    const Polyhedron polyhedron = Polyhedron::named(name);
+  for (const auto& choice : Polyhedron::names()) {
+    const Polyhedron polyhedron = Polyhedron::named(choice.second);
     double length = 0;
     for (Index j = 0; j < polyhedron.rowCount; ++j) {
       length += polyhedron.lengths[j];
@@ -145,14 +145,14 @@ TEST_CASE("the polyhedra are what their names say") {
       const auto same = [&](const Vec3& other) { return std::abs(other.dot(n)) > 1 - 1e-9; };
       if (std::none_of(distinct.begin(), distinct.end(), same)) distinct.push_back(n);
     }
-    CHECK(distinct.size() == faces.at(name));
+    CHECK(distinct.size() == faces.at(choice.second));
   }
 }
 
 TEST_CASE("brute force and a tight ADMM never beat the exact step of any polyhedron") {
   Noise noise;
-  for (const auto& [word, name] : Polyhedron::names()) {
-    const Polyhedron polyhedron = Polyhedron::named(name);
+  for (const auto& choice : Polyhedron::names()) {
+    const Polyhedron polyhedron = Polyhedron::named(choice.second);
     const CubicAdmm admm(polyhedron, {1e-12, 1e-10, 1e-10, 20000});
     for (const double lambda : {0.05, 0.3, 1.0, 2.0, 5.5}) {
       int certified = 0;
@@ -175,7 +175,7 @@ TEST_CASE("brute force and a tight ADMM never beat the exact step of any polyhed
           certified += solved.certified[lane];
         }
       }
-      INFO(word);
+      INFO(choice.first);
       CAPTURE(lambda);
       if (lambda <= 2) CHECK(certified >= 44);
     }
@@ -242,14 +242,14 @@ TEST_CASE("a box of any edges, some of them none: the cube's step, the search an
 
 TEST_CASE("a sphere takes on the faces of each polyhedron, with falling energy") {
   const TriangleMesh mesh = sphere(4);
-  for (const auto& [word, name] : Polyhedron::names()) {
-    const std::vector<Vec3> faces = faceNormals(Polyhedron::named(name));
+  for (const auto& choice : Polyhedron::names()) {
+    const std::vector<Vec3> faces = faceNormals(Polyhedron::named(choice.second));
     for (const char* localStep : {"exact", "admm"}) {
       Session session;
       REQUIRE(session.load(mesh).ok());
       REQUIRE(session.select("cubic").ok());
       REQUIRE(session.set("lambda", encoded(0.5)).ok());
-      REQUIRE(session.set("polyhedron", encoded(word)).ok());
+      REQUIRE(session.set("polyhedron", encoded(choice.first)).ok());
       REQUIRE(session.set("localStep", encoded(localStep)).ok());
       REQUIRE(session.set("maxIterations", encoded(60)).ok());
       REQUIRE(session.prepare().ok());
@@ -262,7 +262,7 @@ TEST_CASE("a sphere takes on the faces of each polyhedron, with falling energy")
       } while (report.outcome == Outcome::running);
       Points positions(mesh.vertexCount(), 3);
       session.copyPositions(positions.data());
-      INFO(word);
+      INFO(choice.first);
       CHECK(angleTo(faces, positions, mesh.triangles) < 0.6 * angleTo(faces, mesh.positions, mesh.triangles));
     }
   }
