@@ -89,22 +89,27 @@ export class Editor {
     read: (signal: AbortSignal) => Promise<ReadFile>,
     begin: Beginning,
   ): Promise<void> {
+    this.#endGesture();
     this.#tasks.cancel();
     const task = this.#tasks.begin();
-    this.#gestureFrom = null;
     this.store.set({ activity: { kind: 'opening', name }, notice: null });
     try {
-      const file = await patiently(task, async () =>
-        openFile(this.#engine, await read(task.signal), task.signal),
-      );
-      const project = await beginProject(file, begin, this.project, this.resolver);
-      if (!task.current()) return;
-      this.#enter(project, file.warnings);
+      const { project, warnings } = await patiently(task, async () => {
+        const file = await read(task.signal);
+        this.#solver.hold(file.mesh);
+        const opened = await openFile(this.#engine, file, task.signal);
+        const begun = await beginProject(opened, begin, this.project, this.resolver);
+        task.signal.throwIfAborted();
+        return { project: begun, warnings: file.warnings };
+      });
+      if (task.current()) this.#enter(project, warnings);
     } catch (thrown) {
       reportFailure(this.store, task, thrown, () => void this.#open(name, read, begin));
-      return;
+      // A run was stopped for the file, half way on the screen.
+      if (task.current() && this.project) this.#presenter.present(this.project);
     }
-    await this.#solver.settle(true);
+    this.#solver.tidy();
+    if (task.current() && !task.signal.aborted) await this.#solver.settle(true);
   }
 
   /** Follows a gesture: shows what these settings of the active step give, from where the shape is now. */
@@ -127,7 +132,9 @@ export class Editor {
     this.#gestureFrom = null;
     const wanted = changeActive(project, change);
     if (sameActive(before, wanted)) {
-      if (before !== project) this.#goTo(before);
+      if (before === project) return;
+      this.#goTo(before);
+      if (firstUnsettled(before)) void this.#solver.settle(true);
       return;
     }
     const keep = this.#stoppedAt !== null && sameInputs(this.#stoppedAt, activeInputs(wanted));
@@ -145,7 +152,7 @@ export class Editor {
 
   /** Solves the active step anew with other settings and shows how; one entry for undo. */
   restyle(change: StepChange, label: string): void {
-    if (this.project) this.#change(changeActive(this.project, change), label);
+    this.#change((project) => changeActive(project, change), label);
   }
 
   /**
@@ -155,6 +162,7 @@ export class Editor {
    * @param label what undo calls it; default the method's title
    */
   async chooseMethod(id: string, given: ParameterValues = {}, label = findMethod(id)?.title): Promise<void> {
+    this.#latestChoice++;
     const step = this.project && activeStep(this.project);
     if (!step || label === undefined || step.method === id) return;
     const remembered = step.remembered[id];
@@ -167,31 +175,34 @@ export class Editor {
     const title = findMethod(id)?.title;
     if (!title) return;
     await this.#afterReading({ method: id, given }, (starting) =>
-      this.#change(addStep(this.project!, newStep(starting)), `Add ${title}`),
+      this.#change((project) => addStep(project, newStep(starting)), `Add ${title}`),
     );
   }
 
   removeStep(id: number): void {
-    if (this.project) this.#change(removeStep(this.project, id), 'Remove a step');
+    this.#change((project) => removeStep(project, id), 'Remove a step');
   }
 
   /** @param to place in the stack, from 0 */
   moveStep(id: number, to: number): void {
-    if (this.project) this.#change(moveStep(this.project, id, to), 'Move a step');
+    this.#change((project) => moveStep(project, id, to), 'Move a step');
   }
 
   switchStep(id: number, isOn: boolean): void {
-    if (this.project)
-      this.#change(switchStep(this.project, id, isOn), isOn ? 'Switch a step on' : 'Switch a step off');
+    const label = isOn ? 'Switch a step on' : 'Switch a step off';
+    this.#change((project) => switchStep(project, id, isOn), label);
   }
 
   /** Makes a step the one that is edited. No entry for undo: nothing of the shape changes. */
   activate(id: number): void {
+    this.#endGesture();
     const { project } = this;
     const next = project && activateStep(project, id);
     if (!next || next === project) return;
+    this.#latestChoice++;
     this.store.set({ project: next, history: amend(this.store.state.history, project, next) });
     this.#presenter.adopt(next);
+    this.#solver.tidy();
   }
 
   /** Brings the active step back to the values that suit the mesh. */
@@ -214,12 +225,24 @@ export class Editor {
     return true;
   }
 
+  /** Takes back the gesture that is under way or else the latest that has ended. False if there was none. */
   undo(): boolean {
-    return this.#travel(undo(this.store.state.history), 'before');
+    const from = this.#gestureFrom;
+    if (!from) return this.#travel(undo(this.store.state.history), 'before');
+    this.#gestureFrom = null;
+    this.#goTo(from);
+    return true;
   }
 
   redo(): boolean {
     return this.#travel(redo(this.store.state.history), 'after');
+  }
+
+  /** Stops everything and gives the worker its meshes back; the editor is not used any more. */
+  dispose(): void {
+    this.#latestChoice++;
+    this.#tasks.abandon();
+    this.#solver.dispose();
   }
 
   /** The steps that are on, as a recipe. */
@@ -229,10 +252,17 @@ export class Editor {
 
   /** The file in a format with the settled shape. Null if it could not be written; a notice says why. */
   async write(format: Format): Promise<{ bytes: Uint8Array<ArrayBuffer>; project: Project } | null> {
+    this.#endGesture();
     await this.#solver.settling;
     if (this.project && firstUnsettled(this.project)) await this.#solver.settle(false);
     const { project } = this;
-    if (!project || firstUnsettled(project)) return null;
+    if (!project) return null;
+    if (firstUnsettled(project)) {
+      const text =
+        'Nothing was saved, as the shape was stopped or changed before it was finished; save it again.';
+      if (this.store.state.notice?.tone !== 'error') this.store.set({ notice: { tone: 'note', text } });
+      return null;
+    }
     const { source } = project;
     const task = this.#tasks.begin();
     this.store.set({ activity: { kind: 'writing', name: source.name }, notice: null });
@@ -250,7 +280,8 @@ export class Editor {
   }
 
   #enter(project: Project, warnings: readonly string[]): void {
-    const before = this.project;
+    const before = this.#gestureFrom ?? this.project;
+    this.#gestureFrom = null;
     const label = `Open ${project.source.name}`;
     const { history } = this.store.state;
     this.store.set({
@@ -258,7 +289,7 @@ export class Editor {
       history: before ? record(history, { label, before, after: project }) : history,
       ...(warnings.length > 0 ? { notice: { tone: 'note', text: warnings.join(' ') } } : {}),
     });
-    if (before) this.#releaseUnless(before);
+    this.#latestChoice++;
     this.#presenter.present(project);
   }
 
@@ -275,16 +306,24 @@ export class Editor {
       const starting = await startingStep(method, given, project, this.resolver);
       if (turn === this.#latestChoice && this.project?.mesh === project.mesh) go(starting);
     } catch (thrown) {
+      if (turn !== this.#latestChoice) return;
       this.store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
     }
   }
 
+  /** Makes of a gesture that is under way one entry: something else begins. */
+  #endGesture(): void {
+    if (this.#gestureFrom) this.commit({}, findMethod(activeStep(this.project!).method)?.title ?? 'Change');
+  }
+
   /** One finished change of the stack; what it made stale is solved, and shown as it comes. */
-  #change(after: Project, label: string): void {
+  #change(changed: (project: Project) => Project, label: string): void {
+    this.#endGesture();
     const before = this.project;
-    if (!before || after === before) return;
+    const after = before && changed(before);
+    if (!after || after === before) return;
     this.#latestChoice++;
-    this.#gestureFrom = this.#stoppedAt = null;
+    this.#stoppedAt = null;
     this.store.set({
       project: after,
       history: record(this.store.state.history, { label, before, after }),
@@ -304,15 +343,10 @@ export class Editor {
 
   #goTo(project: Project): void {
     this.#tasks.abandon();
-    const before = this.project;
+    this.#latestChoice++;
     this.store.set({ project, activity: idle, notice: null });
-    if (before) this.#releaseUnless(before);
     this.#presenter.present(project);
-  }
-
-  /** The worker need not keep what is not on the screen: it is sent again if it comes back. */
-  #releaseUnless(before: Project): void {
-    if (this.project?.mesh !== before.mesh) this.#engine.release(before.mesh);
+    this.#solver.tidy();
   }
 }
 

@@ -1,5 +1,6 @@
 import type { Engine } from '../engine/client.ts';
 import type { Progress } from '../engine/protocol.ts';
+import type { Mesh } from '../mesh/mesh.ts';
 import { type Resolver, runStep, type StepOptions, type StepRun } from '../recipe/index.ts';
 import { amend } from './history.ts';
 import type { Presenter } from './presenter.ts';
@@ -10,7 +11,7 @@ import {
   inputsOf,
   meshAt,
   type PlacedStep,
-  type Project,
+  placedSteps,
   type Result,
   restShapeOf,
   resultOf,
@@ -28,6 +29,12 @@ export interface LiveSolverParts {
   readonly presenter: Presenter;
 }
 
+/** A run that has not ended yet. */
+interface Run {
+  readonly mesh: Mesh;
+  readonly overtaken: AbortController;
+}
+
 /** Runs the steps of the project, shows what comes and puts the results into it. */
 export class LiveSolver {
   readonly #store: EditorStore;
@@ -35,6 +42,9 @@ export class LiveSolver {
   readonly #resolver: Resolver;
   readonly #tasks: Tasks;
   readonly #presenter: Presenter;
+  /** The meshes that the worker was given. */
+  readonly #held = new Set<Mesh>();
+  readonly #runs = new Set<Run>();
   #settling: Promise<void> = Promise.resolve();
 
   constructor({ store, engine, resolver, tasks, presenter }: LiveSolverParts) {
@@ -61,17 +71,48 @@ export class LiveSolver {
     return this.#settling;
   }
 
+  /** Notes that the worker is given a mesh. */
+  hold(mesh: Mesh): void {
+    this.#held.add(mesh);
+  }
+
+  /**
+   * Lets the worker forget the meshes that are not likely to be asked for next, those that are neither the file's nor of the step
+   * that is edited nor of one that runs: they are sent again if they come back.
+   */
+  tidy(): void {
+    const { project, activity } = this.#store.state;
+    if (activity.kind === 'opening') return;
+    const kept = new Set([...this.#runs].map(({ mesh }) => mesh));
+    if (project) {
+      const edited = restShapeOf(project, project.active) ?? project.mesh.positions;
+      kept.add(project.mesh).add(meshAt(project, edited));
+    }
+    for (const mesh of this.#held) if (!kept.has(mesh)) this.#release(mesh);
+  }
+
+  /** Gives everything back. */
+  dispose(): void {
+    this.#stopOthers(null);
+    for (const mesh of this.#held) this.#release(mesh);
+  }
+
   async #settleNow(watch: boolean): Promise<void> {
     const task = this.#tasks.begin();
     try {
+      // Where every result is known nothing runs, and nothing else would show it.
+      if (!this.#next()) this.#show();
       for (let next = this.#next(); next && !task.signal.aborted; next = this.#next()) {
         const run = await this.#run(task, next, { start: 'rest', positions: watch, fields: true }, watch);
         if (!task.current()) return;
         this.#finish(next, run, watch);
       }
-      if (task.current()) this.#store.set({ activity: idle });
+      if (!task.current()) return;
+      this.#stopOthers(null);
+      this.#store.set({ activity: idle });
+      this.tidy();
     } catch (thrown) {
-      reportFailure(this.#store, task, thrown, () => void this.settle(watch));
+      this.#fail(task, thrown, watch);
     }
   }
 
@@ -80,12 +121,13 @@ export class LiveSolver {
     return project ? firstUnsettled(project) : undefined;
   }
 
-  /** A settling run that was stopped has shown nothing: what is on the screen is the preview, and that is kept. */
+  /** A settling run that was stopped may have shown nothing: then a preview that is on the screen is kept. */
   #finish({ step, inputs }: PlacedStep, run: StepRun, watch: boolean): void {
     const isStopped = run.outcome === 'cancelled';
     const { project } = this.#store.state;
     const shown = project && findStep(project, step.id)?.result;
-    if (isStopped && !watch && shown) this.#put(step.id, { ...shown, state: 'stopped', of: inputs }, false);
+    if (isStopped && !watch && shown?.of.from === inputs.from)
+      this.#put(step.id, { ...shown, state: 'stopped', of: inputs }, true);
     else this.#put(step.id, resultOf(run, isStopped ? 'stopped' : 'settled', inputs), true);
   }
 
@@ -100,23 +142,36 @@ export class LiveSolver {
     const placed = { step, inputs, isSettled: false };
     try {
       const run = await this.#run(task, placed, { start: 'current', positions: true }, true);
+      // What was abandoned is of a shape that is not there any more.
+      if (task.signal.aborted && !task.current()) return;
       // A run that was overtaken by a later value or by the settling run still is the nearest there is to its shape.
-      if (!this.#isStill(placed)) return;
-      const isStopped = run.outcome === 'cancelled' && task.signal.aborted;
-      this.#put(step.id, resultOf(run, isStopped ? 'stopped' : 'preview', inputs), task.current());
+      const state = run.outcome === 'cancelled' && task.signal.aborted ? 'stopped' : 'preview';
+      // While a newer run draws, the screen is that one's.
+      const isOnTop = task.current() || this.#runs.size === 0;
+      if (this.#isWanting(placed)) this.#put(step.id, resultOf(run, state, inputs), isOnTop);
+      else if (isOnTop) this.#show();
       if (task.current()) this.#store.set({ activity: idle });
     } catch (thrown) {
-      reportFailure(this.#store, task, thrown, () => void this.settle(false));
+      this.#fail(task, thrown, false);
     }
   }
 
-  /** Whether a step still has these inputs and no better result of them. */
-  #isStill({ step: { id }, inputs }: PlacedStep): boolean {
+  /** Whether a step still has these inputs, and no result of them that counts for more than a preview. */
+  #isWanting({ step: { id }, inputs }: PlacedStep): boolean {
     const { project } = this.#store.state;
-    const now = project && findStep(project, id);
-    const from = now && restShapeOf(project, id);
-    if (!now || !from || !sameInputs(inputsOf(now, from, project.assets), inputs)) return false;
-    return now.result?.state !== 'settled' || !sameInputs(now.result.of, inputs);
+    const placed = project && placedSteps(project).find(({ step }) => step.id === id);
+    return !!placed && !placed.isSettled && sameInputs(placed.inputs, inputs);
+  }
+
+  #fail(task: Task, thrown: unknown, watch: boolean): void {
+    reportFailure(this.#store, task, thrown, () => void this.settle(watch));
+    if (task.current()) this.#show();
+  }
+
+  /** Brings the screen, which a run may have taken half way, to what the project has. */
+  #show(): void {
+    const { project } = this.#store.state;
+    if (project) this.#presenter.present(project);
   }
 
   async #run(
@@ -139,10 +194,36 @@ export class LiveSolver {
       this.#store.set({ activity: { ...activity, iteration: progress.iteration } });
       if (progress.positions) await this.#presenter.follow(project.mesh, progress.positions);
     };
+    const mesh = meshAt(project, inputs.from);
+    const run: Run = { mesh, overtaken: new AbortController() };
+    this.#stopOthers(mesh);
+    this.#runs.add(run);
+    this.hold(mesh);
     const { normalMap } = project.source;
-    const surface = { mesh: meshAt(project, inputs.from), normalMap };
-    const options = { ...how, onProgress, signal: task.signal };
-    return patiently(task, () => runStep(this.#engine, this.#resolver, surface, step, options));
+    const signal = AbortSignal.any([task.signal, run.overtaken.signal]);
+    // A newer run may have been faster to read what it names; for the engine the latest request is the newest.
+    const onResolved = () => {
+      if (!task.current()) throw new DOMException('A newer run came first.', 'AbortError');
+    };
+    const options = { ...how, onProgress, onResolved, signal };
+    try {
+      return await patiently(task, () =>
+        runStep(this.#engine, this.#resolver, { mesh, normalMap }, step, options),
+      );
+    } finally {
+      this.#runs.delete(run);
+      this.tidy();
+    }
+  }
+
+  /** Ends runs that a newer one has overtaken. The engine does that for those of the same mesh, when they have shown something. */
+  #stopOthers(mesh: Mesh | null): void {
+    for (const run of this.#runs) if (run.mesh !== mesh) run.overtaken.abort();
+  }
+
+  #release(mesh: Mesh): void {
+    this.#held.delete(mesh);
+    this.#engine.release(mesh);
   }
 
   #put(id: number, result: Result, present: boolean): void {
@@ -153,18 +234,5 @@ export class LiveSolver {
     this.#store.set({ project: next, history: amend(this.#store.state.history, project, next) });
     if (present) this.#presenter.present(next);
     else this.#presenter.adopt(next);
-    this.#release(project, next);
-  }
-
-  /** The worker keeps the mesh of the step that is edited and of the first; others are sent again if they come back. */
-  #release(before: Project, now: Project): void {
-    const kept = new Set<unknown>([
-      now.mesh,
-      meshAt(now, restShapeOf(now, now.active) ?? now.mesh.positions),
-    ]);
-    for (const { result } of before.steps) {
-      const mesh = result && meshAt(before, result.of.from);
-      if (mesh && !kept.has(mesh)) this.#engine.release(mesh);
-    }
   }
 }

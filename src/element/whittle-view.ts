@@ -106,6 +106,7 @@ export class WhittleView extends LitElement {
     this.#sight?.disconnect();
     this.#loading?.abort();
     this.#screen?.dispose();
+    this.#editor?.dispose();
     if (this.#place) releaseEngine(this.#place);
     this.#screen = this.#place = this.#engine = this.#editor = this.#file = this.#sight = null;
     this.#store.set(emptyState);
@@ -268,6 +269,7 @@ export class WhittleView extends LitElement {
   /** The engine that the attributes name, and an editor on it. */
   #open(): Engine {
     const place = { workerUrl: this.workerUrl ?? workerBeside, wasmUrl: this.wasmUrl ?? undefined };
+    this.#editor?.dispose();
     if (this.#place) releaseEngine(this.#place);
     this.#place = place;
     this.#engine = takeEngine(place);

@@ -36,6 +36,8 @@ export interface StepOptions {
   /** Whether progress carries positions. Default false. */
   readonly positions?: boolean;
   readonly onProgress?: ProgressListener | undefined;
+  /** Called when the step's names have been read, before the engine is asked; what it throws ends the step. */
+  readonly onResolved?: () => void;
   /** Whether the method's scalar fields are wanted. Default false. */
   readonly fields?: boolean;
   /** What sentences about the mesh begin with; default nothing. */
@@ -52,10 +54,12 @@ export async function runStep(
   resolver: Resolver,
   surface: TexturedMesh,
   step: RecipeStep,
-  { signal, start = 'rest', positions = false, onProgress, fields = false, place = '' }: StepOptions = {},
+  options: StepOptions = {},
 ): Promise<StepRun> {
+  const { signal, start = 'rest', positions = false, onProgress, fields = false, place = '' } = options;
   const reading = stopwatch();
   const { method, parameters, warnings } = await resolver.resolve(step, surface, place);
+  options.onResolved?.();
   const read = reading();
   const settings = { method, parameters, start, positions };
   const { milliseconds, ...solved } = await at(
