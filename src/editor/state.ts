@@ -1,3 +1,4 @@
+import type { FailureCode } from '../mesh/failure.ts';
 import type { History } from './history.ts';
 import { emptyHistory } from './history.ts';
 import type { Project } from './project.ts';
@@ -24,6 +25,8 @@ export const idle: Activity = Object.freeze({ kind: 'idle' });
 export interface Notice {
   readonly tone: 'error' | 'note';
   readonly text: string;
+  /** What an error is an error of; a sentence of the page alone has none. */
+  readonly code?: FailureCode;
   readonly action?: { readonly label: string; readonly run: () => void };
 }
 

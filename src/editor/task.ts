@@ -52,12 +52,10 @@ export function reportFailure(store: EditorStore, task: Task, thrown: unknown, a
     store.set({ activity: idle });
     return;
   }
-  const text = toFailure(thrown).message;
+  const { code, message: text } = toFailure(thrown);
+  const notice = { tone: 'error', code, text } as const;
   const action = { label: 'Try again', run: again };
-  store.set({
-    activity: idle,
-    notice: isWorkerLost(thrown) ? { tone: 'error', text, action } : { tone: 'error', text },
-  });
+  store.set({ activity: idle, notice: isWorkerLost(thrown) ? { ...notice, action } : notice });
 }
 
 function isWorkerLost(thrown: unknown): boolean {

@@ -19,14 +19,14 @@ export interface Wish {
 /**
  * What an editor is to begin a mesh with; null where the mesh is to stay as it is.
  *
- * @param base what addresses are relative to
+ * @param page what addresses are relative to
  * @throws WhittleError `unknown-method`, `bad-recipe`, or as the recipe cannot be fetched
  */
 export async function beginningOf(
   { method: id, styleSrc, recipe, lambda }: Wish,
-  base: string,
+  page: string,
 ): Promise<Beginning | null> {
-  if (recipe) return { recipe: await readRecipe(recipe, base) };
+  if (recipe) return { recipe: await readRecipe(recipe, page) };
   if (!id) return null;
   const method = findMethod(id);
   if (!method) {
@@ -48,8 +48,17 @@ export function mainNumber(id: string | undefined): NumberParameter | undefined 
   );
 }
 
-async function readRecipe(given: string, base: string) {
-  if (given.trimStart().startsWith('{')) return parseRecipe(given, 'recipe');
-  const text = new TextDecoder().decode(await fetchBytes(new URL(given, base)));
+/** What the names of files are relative to: the recipe's own address, or else the page's. */
+export function baseOf({ recipe }: Wish, page: string): string {
+  return recipe && !isText(recipe) ? new URL(recipe, page).href : page;
+}
+
+function isText(recipe: string): boolean {
+  return recipe.trimStart().startsWith('{');
+}
+
+async function readRecipe(given: string, page: string) {
+  if (isText(given)) return parseRecipe(given, 'recipe');
+  const text = new TextDecoder().decode(await fetchBytes(new URL(given, page)));
   return parseRecipe(text, nameOf(given));
 }

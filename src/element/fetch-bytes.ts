@@ -1,9 +1,16 @@
 import { WhittleError } from '../mesh/failure.ts';
 
-/** The last part of an address, which is the file's name. */
+/** The last part of an address, which is the file's name; “mesh” where the file itself is the address. */
 export function nameOf(address: string): string {
+  if (/^(data|blob):/i.test(address)) return 'mesh';
   const path = address.replace(/[?#].*$/, '');
-  return decodeURIComponent(path.slice(path.lastIndexOf('/') + 1)) || 'mesh';
+  const name = path.slice(path.lastIndexOf('/') + 1) || 'mesh';
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    // A stray % is no reason to refuse a file.
+    return name;
+  }
 }
 
 /**
@@ -17,13 +24,29 @@ export async function fetchBytes(
   signal?: AbortSignal,
   onShare?: (share: number) => void,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  const response = await fetch(url, signal ? { signal } : {}).catch((thrown) => {
-    if (signal?.aborted) throw thrown;
-    throw unreachable(url, 'the server cannot be reached, or does not share files with this page');
-  });
-  if (!response.ok) throw unreachable(url, `the server answered ${response.status}`);
+  try {
+    const response = await fetch(url, signal ? { signal } : {});
+    if (!response.ok) throw unreachable(url, `the server answered ${response.status}`);
+    return await (onShare ? readShares(response, onShare) : wholeOf(response));
+  } catch (thrown) {
+    if (thrown instanceof WhittleError || signal?.aborted) throw thrown;
+    throw unreachable(
+      url,
+      'the server cannot be reached, breaks off, or does not share files with this page',
+    );
+  }
+}
+
+async function wholeOf(response: Response): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+async function readShares(
+  response: Response,
+  onShare: (share: number) => void,
+): Promise<Uint8Array<ArrayBuffer>> {
   const reader = response.body?.getReader();
-  if (!onShare || !reader) return new Uint8Array(await response.arrayBuffer());
+  if (!reader) return wholeOf(response);
   const whole = Number(response.headers.get('content-length') ?? Number.NaN);
   const parts: Uint8Array[] = [];
   let length = 0;

@@ -23,6 +23,9 @@ export class ElementScreen implements Canvas {
   readonly #resized: ResizeObserver;
   #viewer: Viewer | null = null;
   #scene: Scene | null = null;
+  /** Somebody may be looking: the element is near the part of the page that is on the screen. */
+  #isSeen = false;
+  #shading: 'smooth' | 'flat' = 'smooth';
   #label = '';
   #touchAction = 'none';
   #covered = 0;
@@ -39,11 +42,7 @@ export class ElementScreen implements Canvas {
     this.#resized.observe(host);
   }
 
-  get isOpen(): boolean {
-    return this.#viewer !== null;
-  }
-
-  /** What the picture is of, for those who cannot see it, and which gestures stay the page's. */
+  /** What the picture is of, for those who cannot see it, or nothing for mere decoration; and which gestures stay the page's. */
   describe(label: string, touchAction: string): void {
     this.#label = label;
     this.#touchAction = touchAction;
@@ -61,7 +60,7 @@ export class ElementScreen implements Canvas {
   show(mesh: Mesh, up: 'y' | 'z'): void {
     this.#scene = { mesh, up, positions: null };
     if (this.#viewer) this.#viewer.show(mesh, up);
-    else this.open();
+    else if (this.#isSeen) this.open();
   }
 
   update(positions: Float64Array, glide = 0): void {
@@ -74,6 +73,7 @@ export class ElementScreen implements Canvas {
   }
 
   setShading(shading: 'smooth' | 'flat'): void {
+    this.#shading = shading;
     this.#viewer?.setShading(shading);
   }
 
@@ -85,10 +85,10 @@ export class ElementScreen implements Canvas {
 
   /** Takes a context and draws, once there is something to draw. */
   open(): void {
+    this.#isSeen = true;
     if (this.#viewer || !this.#scene) return;
     const canvas = document.createElement('canvas');
     canvas.part.add('canvas');
-    canvas.tabIndex = 0;
     try {
       this.#viewer = new Viewer(canvas);
     } catch (thrown) {
@@ -99,6 +99,7 @@ export class ElementScreen implements Canvas {
     this.#dress();
     this.#fill();
     this.#viewer.setInsets({ ...noInsets, bottom: this.#covered });
+    this.#viewer.setShading(this.#shading);
     const { mesh, up, positions } = this.#scene;
     this.#viewer.show(mesh, up);
     if (positions) this.#viewer.update(positions);
@@ -107,16 +108,20 @@ export class ElementScreen implements Canvas {
   /** Gives the context back; the last picture stays. */
   close(): void {
     const viewer = this.#viewer;
-    if (!viewer) return;
+    this.#isSeen = false;
     this.#viewer = null;
+    if (!viewer) return;
+    // A picture that cannot be made leaves the last frame of the canvas, or nothing.
+    void this.#leave(viewer.snapshot()).catch(() => {});
+    viewer.dispose();
+  }
+
+  async #leave(snapshot: Promise<Blob>): Promise<void> {
     const still = document.createElement('img');
     still.alt = '';
-    void viewer.snapshot().then((picture) => {
-      still.src = URL.createObjectURL(picture);
-      still.addEventListener('load', () => URL.revokeObjectURL(still.src), { once: true });
-      if (!this.#viewer) this.#host.replaceChildren(still);
-    });
-    viewer.dispose();
+    still.src = URL.createObjectURL(await snapshot);
+    still.addEventListener('load', () => URL.revokeObjectURL(still.src), { once: true });
+    if (!this.#viewer && this.#scene) this.#host.replaceChildren(still);
   }
 
   dispose(): void {
@@ -130,8 +135,12 @@ export class ElementScreen implements Canvas {
   #dress(): void {
     const { canvas } = this.#viewer ?? {};
     if (!canvas) return;
-    canvas.role = 'img';
-    canvas.ariaLabel = this.#label;
+    const isNamed = this.#label !== '';
+    // What is only decoration is not to be stopped at.
+    canvas.role = isNamed ? 'img' : 'presentation';
+    canvas.ariaLabel = isNamed ? this.#label : null;
+    if (isNamed) canvas.tabIndex = 0;
+    else canvas.removeAttribute('tabindex');
     canvas.style.touchAction = this.#touchAction;
     this.#viewer!.setTheme(this.#dark.matches ? darkTheme : lightTheme);
   }

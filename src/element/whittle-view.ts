@@ -1,16 +1,17 @@
 import { html, LitElement, nothing, type PropertyValues } from 'lit';
 import { Editor } from '../editor/editor.ts';
+import { emptyHistory } from '../editor/history.ts';
 import type { ReadFile } from '../editor/open-file.ts';
 import { Presenter } from '../editor/presenter.ts';
-import { activeStep, shownResult } from '../editor/project.ts';
+import { shownResult } from '../editor/project.ts';
 import { type EditorState, emptyState, Store } from '../editor/state.ts';
 import type { Engine } from '../engine/client.ts';
 import type { WorkerPlace } from '../engine/start-worker.ts';
 import { type Format, formatInfo, isFormat } from '../io/index.ts';
-import { toFailure } from '../mesh/failure.ts';
+import { toFailure, WhittleError } from '../mesh/failure.ts';
 import { findMethod } from '../methods/registry.ts';
-import type { NumberParameter } from '../methods/values/number.ts';
-import { beginningOf, mainNumber, type Wish } from './beginning.ts';
+import { baseOf, beginningOf, type Wish } from './beginning.ts';
+import { type ControlActs, controls } from './controls.ts';
 import type { ViewEventMap } from './events.ts';
 import { fetchBytes, nameOf } from './fetch-bytes.ts';
 import { ElementScreen } from './screen.ts';
@@ -45,6 +46,7 @@ export class WhittleView extends LitElement {
     workerUrl: { reflect: true, attribute: 'worker-url' },
     wasmUrl: { reflect: true, attribute: 'wasm-url' },
     failure: { state: true },
+    blindness: { state: true },
     isShown: { state: true },
   };
   /** The mesh file's address. */
@@ -69,7 +71,11 @@ export class WhittleView extends LitElement {
   declare touchAction: string | null;
   declare workerUrl: string | null;
   declare wasmUrl: string | null;
+  /** What went wrong last, until something else is tried. */
   declare failure: string | null;
+  /** Why nothing can be drawn here. */
+  declare blindness: string | null;
+  /** The mesh has taken the poster's place. */
   declare isShown: boolean;
 
   readonly #store = new Store<EditorState>(emptyState);
@@ -77,16 +83,21 @@ export class WhittleView extends LitElement {
   #place: WorkerPlace | null = null;
   #engine: Engine | null = null;
   #editor: Editor | null = null;
+  /** What the names in the editor's recipe are relative to. */
+  #base = '';
   #file: ReadFile | null = null;
   #loading: AbortController | null = null;
   #sight: IntersectionObserver | null = null;
-  #wasNear = false;
+  #isNear = false;
+  /** The element has been near the screen, or was to be loaded at once. */
+  #isWanted = false;
+  #latestRun = 0;
   #told: unknown = null;
 
   constructor() {
     super();
     this.src = this.alt = this.poster = this.method = this.styleSrc = this.recipe = null;
-    this.loading = this.touchAction = this.workerUrl = this.wasmUrl = this.failure = null;
+    this.loading = this.touchAction = this.workerUrl = this.wasmUrl = this.failure = this.blindness = null;
     this.lambda = null;
     this.controls = this.isShown = false;
     this.#store.subscribe((state) => this.#follow(state));
@@ -98,30 +109,35 @@ export class WhittleView extends LitElement {
       rootMargin: '200px',
     });
     this.#sight.observe(this);
-    if (this.hasUpdated) void this.#load();
+    if (this.hasUpdated) this.#loadEagerly();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#sight?.disconnect();
-    this.#loading?.abort();
-    this.#screen?.dispose();
-    this.#editor?.dispose();
+    this.#leave();
+    this.#clear();
     if (this.#place) releaseEngine(this.#place);
-    this.#screen = this.#place = this.#engine = this.#editor = this.#file = this.#sight = null;
-    this.#store.set(emptyState);
-    this.#wasNear = this.isShown = false;
+    this.#place = this.#engine = this.#sight = null;
+    this.#isWanted = this.#isNear = false;
   }
 
   /** Solves again what the attributes say. Resolves when it has ended, however it ended. */
   async run(): Promise<void> {
-    if (!this.#file) return this.#load();
+    const file = this.#file;
+    if (!file) return this.#load();
+    const turn = ++this.#latestRun;
     this.failure = null;
     try {
       const begin = await beginningOf(this.#wish, this.baseURI);
-      if (begin && this.#file) await this.#editor?.openRead(this.#file, begin);
+      if (turn !== this.#latestRun) return;
+      if (!begin) return this.#showPlain(file);
+      const editor = this.#edit(baseOf(this.#wish, this.baseURI));
+      // Nobody can undo here.
+      this.#store.set({ history: emptyHistory });
+      await editor.openRead(file, begin);
     } catch (thrown) {
-      this.#fail(thrown);
+      if (turn === this.#latestRun) this.#fail(thrown);
     }
   }
 
@@ -147,11 +163,11 @@ export class WhittleView extends LitElement {
     if (!file) throw new Error('There is no mesh yet; wait for the event “load”.');
     if (format !== undefined && !isFormat(format)) throw new Error(`There is no format “${format}”.`);
     const chosen = format ?? formatInfo(file.format).id;
-    if (!this.#store.state.project) {
+    if (!this.#editor || !this.#store.state.project) {
       const { positions } = file.mesh;
       return new Blob([await this.#engine!.write(file.bytes, file.name, chosen, positions)]);
     }
-    const written = await this.#editor!.write(chosen);
+    const written = await this.#editor.write(chosen);
     if (!written) throw new Error(this.#store.state.notice?.text ?? 'The file could not be written.');
     return new Blob([written.bytes]);
   }
@@ -169,78 +185,78 @@ export class WhittleView extends LitElement {
   }
 
   protected override firstUpdated(): void {
-    if (this.loading === 'eager') this.#see(true);
+    this.#loadEagerly();
   }
 
   protected override updated(changed: PropertyValues): void {
-    this.#screen?.describe(this.alt ?? '', this.touchAction ?? 'pan-y');
-    const controls = this.renderRoot.querySelector<HTMLElement>('.controls');
-    this.#screen?.setCovered(controls ? controls.offsetHeight + 8 : 0);
-    if (!this.#wasNear) return;
-    if (['src', 'workerUrl', 'wasmUrl'].some((name) => changed.has(name))) void this.#load();
+    this.#screen?.describe(this.#label, this.touchAction ?? 'pan-y');
+    const bar = this.renderRoot.querySelector<HTMLElement>('.controls');
+    this.#screen?.setCovered(bar ? bar.offsetHeight + 8 : 0);
+    if (!this.#isWanted) this.#loadEagerly();
+    else if (['src', 'workerUrl', 'wasmUrl'].some((name) => changed.has(name))) void this.#load();
     else if (['method', 'styleSrc', 'recipe', 'lambda'].some((name) => changed.has(name))) void this.run();
   }
 
   protected override render() {
     return html`
       <div class="stage" part="stage"></div>
-      ${this.isShown || this.failure ? nothing : html`<slot name="poster">${this.poster ? html`<img class="poster" part="poster" src=${this.poster} alt=${this.alt ?? ''} />` : nothing}</slot>`}
+      ${this.isShown && !this.blindness ? nothing : html`<slot name="poster">${this.poster ? html`<img class="poster" part="poster" src=${this.poster} alt=${this.#label} />` : nothing}</slot>`}
       ${this.#busy()}
-      ${this.failure ? html`<div class="error" part="error" role="alert"><slot name="error"><p>${this.failure}</p><button type="button" @click=${() => void this.run()}>Try again</button></slot></div>` : nothing}
-      ${this.controls && this.isShown ? this.#controls() : nothing}
+      ${this.#wrong()}
+      ${this.controls && this.isShown ? controls(this.#store.state, this.#acts) : nothing}
     `;
+  }
+
+  #wrong() {
+    const text = this.failure ?? this.blindness;
+    if (!text) return nothing;
+    const again = html`<button type="button" @click=${() => void this.run()}>Try again</button>`;
+    return html`<div class="error" part="error" role="alert"><slot name="error"><p>${text}</p>${this.failure ? again : nothing}</slot></div>`;
   }
 
   #busy() {
     const { activity } = this.#store.state;
     if (activity.kind === 'idle') return nothing;
-    return html`<div class="progress" part="progress"><slot name="progress"><span class="bar"></span></slot></div>`;
+    return html`<div class="progress" part="progress" role="progressbar" aria-label="Loading and shaping"><slot name="progress"><span class="bar"></span></slot></div>`;
   }
 
-  #controls() {
-    const { project, activity } = this.#store.state;
-    const step = project && activeStep(project);
-    const number = mainNumber(step?.method);
-    return html`
-      <div class="controls" part="controls">
-        ${step && number ? this.#slider(number, Number(step.parameters[number.name])) : nothing}
-        ${activity.kind === 'solving' ? html`<button type="button" @click=${() => this.cancel()}>Stop</button>` : nothing}
-        <button type="button" @click=${() => void this.reset()}>Reset</button>
-      </div>`;
-  }
-
-  #slider({ name, label, slider, min, max }: NumberParameter, value: number) {
-    const set = (event: Event, phase: 'preview' | 'commit') => {
-      const project = this.#store.state.project;
-      if (!project) return;
-      const number = (event.target as HTMLInputElement).valueAsNumber;
-      const parameters = { ...activeStep(project).parameters, [name]: number };
-      if (phase === 'preview') this.#editor?.preview({ parameters });
-      else this.#editor?.commit({ parameters }, label);
-    };
-    return html`<label><span>${label}</span><input type="range" min=${slider?.min ?? min} max=${slider?.max ?? max} step=${slider?.step ?? 'any'} .value=${String(value)} @input=${(event: Event) => set(event, 'preview')} @change=${(event: Event) => set(event, 'commit')} /></label>`;
-  }
+  readonly #acts: ControlActs = {
+    preview: (change) => this.#editor?.preview(change),
+    commit: (change, label) => this.#editor?.commit(change, label),
+    stop: () => this.cancel(),
+    reset: () => void this.reset(),
+  };
 
   get #wish(): Wish {
     const { method, styleSrc, recipe, lambda } = this;
     return { method, styleSrc, recipe, lambda };
   }
 
+  /** The picture in words; where the page has none for it, the file's name. */
+  get #label(): string {
+    return this.alt ?? nameOf(this.src ?? '');
+  }
+
   #see(isNear: boolean): void {
-    if (isNear && !this.#wasNear) {
-      this.#wasNear = true;
-      void this.#load();
-    } else if (isNear) this.#screen?.open();
-    else this.#screen?.close();
+    this.#isNear = isNear;
+    if (!isNear) this.#screen?.close();
+    else if (this.#isWanted) this.#screen?.open();
+    else this.#want();
+  }
+
+  #loadEagerly(): void {
+    if (this.loading === 'eager' && !this.#isWanted && this.isConnected) this.#want();
+  }
+
+  #want(): void {
+    this.#isWanted = true;
+    void this.#load();
   }
 
   async #load(): Promise<void> {
-    this.#loading?.abort();
-    this.#file = null;
-    this.failure = null;
-    this.isShown = false;
-    this.#store.set(emptyState);
-    if (!this.src || !this.#wasNear) return;
+    this.#leave();
+    if (!this.src) this.#clear();
+    if (!this.src || !this.#isWanted) return;
     const loading = new AbortController();
     this.#loading = loading;
     try {
@@ -252,7 +268,7 @@ export class WhittleView extends LitElement {
       const read = await engine.read(bytes, name, { signal: loading.signal });
       if (loading.signal.aborted) return;
       this.#file = { bytes, name, ...read };
-      this.#screen!.show(read.mesh, formatInfo(read.format).up);
+      this.#showPlain(this.#file);
       this.isShown = true;
       const { positions, triangles } = read.mesh;
       this.#tell('load', {
@@ -260,39 +276,76 @@ export class WhittleView extends LitElement {
         faces: triangles.length / 3,
         format: read.format,
       });
-      await this.run();
+      if (!loading.signal.aborted) await this.run();
     } catch (thrown) {
       if (!loading.signal.aborted) this.#fail(thrown);
     }
   }
 
-  /** The engine that the attributes name, and an editor on it. */
+  /** Ends all that is under way with a mesh. Its picture stays until there is another. */
+  #leave(): void {
+    this.#loading?.abort();
+    this.#editor?.dispose();
+    this.#latestRun++;
+    this.#editor = this.#file = null;
+    this.failure = null;
+    this.isShown = false;
+    this.#store.set(emptyState);
+  }
+
+  #clear(): void {
+    this.#screen?.dispose();
+    this.#screen = null;
+    this.blindness = null;
+  }
+
+  #showPlain({ mesh, format }: ReadFile): void {
+    this.#editor?.dispose();
+    this.#editor = null;
+    this.#store.set(emptyState);
+    this.#screen?.show(mesh, formatInfo(format).up);
+  }
+
+  /** The engine that the attributes name, and a screen. */
   #open(): Engine {
     const place = { workerUrl: this.workerUrl ?? workerBeside, wasmUrl: this.wasmUrl ?? undefined };
-    this.#editor?.dispose();
-    if (this.#place) releaseEngine(this.#place);
-    this.#place = place;
+    const before = this.#place;
     this.#engine = takeEngine(place);
+    // Taken before the old one is given back: where they are the same its worker goes on.
+    if (before) releaseEngine(before);
+    this.#place = place;
     this.#screen ??= new ElementScreen(this.renderRoot.querySelector('.stage')!, (thrown) =>
-      this.#fail(thrown),
+      this.#goBlind(thrown),
     );
-    this.#screen.describe(this.alt ?? '', this.touchAction ?? 'pan-y');
+    this.#screen.describe(this.#label, this.touchAction ?? 'pan-y');
+    if (this.#isNear) this.#screen.open();
+    return this.#engine;
+  }
+
+  /** An editor for which the names of files are relative to an address. */
+  #edit(base: string): Editor {
+    if (this.#editor && base === this.#base) return this.#editor;
+    this.#editor?.dispose();
+    this.#base = base;
     const presenter = new Presenter(this.#screen, {
       drawn: () => new Promise((resolve) => requestAnimationFrame(() => resolve())),
     });
-    const readFile = (name: string) => fetchBytes(new URL(name, this.baseURI));
-    const surroundings = { readFile };
-    this.#editor = new Editor({ store: this.#store, engine: this.#engine, presenter, surroundings });
-    return this.#engine;
+    const readFile = (name: string) => fetchBytes(new URL(name, base));
+    this.#editor = new Editor({
+      store: this.#store,
+      engine: this.#engine!,
+      presenter,
+      surroundings: { readFile },
+    });
+    return this.#editor;
   }
 
   #follow({ project, activity, notice }: EditorState): void {
     this.requestUpdate();
-    if (activity.kind === 'solving') {
-      const { preparing, iteration } = activity;
-      this.#tell('progress', preparing ? { phase: 'prepare', ...preparing } : { phase: 'solve', iteration });
-    }
-    if (notice?.tone === 'error' && notice.text !== this.failure) this.#fail(new Error(notice.text));
+    if (activity.kind === 'solving')
+      this.#tell('progress', { phase: 'solve', iteration: activity.iteration });
+    if (notice?.tone === 'error' && notice.text !== this.failure)
+      this.#fail(new WhittleError(notice.code ?? 'internal', notice.text));
     const result = project && shownResult(project);
     if (!result || result === this.#told || result.state === 'preview') return;
     this.#told = result;
@@ -304,8 +357,15 @@ export class WhittleView extends LitElement {
 
   #fail(thrown: unknown): void {
     const { code, message } = toFailure(thrown);
-    this.failure = thrown instanceof Error && code === 'internal' ? thrown.message : message;
-    this.#tell('error', { code, message: this.failure });
+    this.failure = message;
+    this.#tell('error', { code, message });
+  }
+
+  #goBlind(thrown: unknown): void {
+    const message = thrown instanceof Error ? thrown.message : String(thrown);
+    if (message === this.blindness) return;
+    this.blindness = message;
+    this.#tell('error', { code: 'internal', message });
   }
 
   #tell<Name extends keyof ViewEventMap>(name: Name, detail: ViewEventMap[Name]['detail']): void {

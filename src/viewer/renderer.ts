@@ -5,6 +5,7 @@ export interface Renderer {
   setPixelRatio(ratio: number): void;
   setSize(width: number, height: number, style: boolean): void;
   render(scene: Scene, camera: Camera): void;
+  /** Gives the graphics context back: browsers have only a few, and collect those that are not given back too late. */
   dispose(): void;
   readonly shadowMap: { enabled: boolean; type: number; autoUpdate: boolean; needsUpdate: boolean };
 }
@@ -12,7 +13,13 @@ export interface Renderer {
 /** @throws Error with a sentence for people when the browser gives no WebGL context */
 export function webGlRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
   try {
-    return new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    const dispose = renderer.dispose.bind(renderer);
+    renderer.dispose = () => {
+      dispose();
+      renderer.forceContextLoss();
+    };
+    return renderer;
   } catch {
     throw new Error(
       'This browser cannot draw 3D here (WebGL is off or missing). Turn on hardware acceleration or try another browser; ' +

@@ -24,6 +24,16 @@ export async function buildElement(): Promise<string> {
   return outDir;
 }
 
+/** A path as it was written; one that is not well encoded stays as it is. */
+function pathOf(url: string): string {
+  const { pathname } = new URL(url, 'http://localhost');
+  try {
+    return normalize(decodeURIComponent(pathname));
+  } catch {
+    return pathname;
+  }
+}
+
 export interface StaticServer {
   readonly url: string;
   /** Paths that were asked for. */
@@ -45,7 +55,7 @@ export async function serveStatic(
 ): Promise<StaticServer> {
   const asked: string[] = [];
   const server = createServer(async (request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url!, 'http://localhost').pathname));
+    const path = pathOf(request.url!);
     asked.push(path);
     response.setHeader('access-control-allow-origin', '*');
     if (csp) response.setHeader('content-security-policy', csp);
