@@ -1,3 +1,4 @@
+import { resolve } from 'node:path';
 import type { MethodDescriptor } from '../methods/descriptor.ts';
 import { kebabCase } from '../methods/kebab-case.ts';
 import { findMethod, methods } from '../methods/registry.ts';
@@ -89,5 +90,8 @@ function filesOf({ values, switches, rest }: Flags): RunFiles {
   if (stray !== undefined)
     throw new UsageError(`one mesh at a time; ${stray} is too many. The result goes to --out.`);
   if (out === undefined) throw new UsageError('say where the result goes: --out out.obj');
-  return { input, out, report: values.get('report'), quiet: switches.has('quiet') };
+  const report = values.get('report');
+  if (report !== undefined && [input, out].some((path) => resolve(path) === resolve(report)))
+    throw new UsageError(`--report ${report} would overwrite the mesh; give it a name of its own.`);
+  return { input, out, report, quiet: switches.has('quiet') };
 }

@@ -1,4 +1,4 @@
-import { dirname, resolve } from 'node:path';
+import { dirname, isAbsolute, join } from 'node:path';
 import type { Engine } from '../engine/client.ts';
 import { formatForFileName, isFormat } from '../io/index.ts';
 import { at } from '../mesh/failure.ts';
@@ -67,7 +67,7 @@ export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
 
 /** Where a file lies that a recipe names: beside the recipe. */
 function pathOf(name: string, recipe: string | undefined): string {
-  return recipe === undefined ? name : resolve(dirname(recipe), name);
+  return recipe === undefined || isAbsolute(name) ? name : join(dirname(recipe), name);
 }
 
 /** A wrong ending should not be found out after a long run. */

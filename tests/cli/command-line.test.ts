@@ -141,6 +141,8 @@ const wrong: [string, number, RegExp][] = [
   ['run', 2, /whittle run recipe\.json/],
   ['cubic @no.obj --out @o.obj', 1, /^no\.obj: there is no such file/],
   ['cubic @in.obj --out @no/o.obj', 1, /^no\/o\.obj: there is no folder/],
+  ['cubic @in.obj --out @o.obj --report @o.obj', 2, /--report o\.obj would overwrite the mesh/],
+  ['cubic @in.obj --out @o.obj --report @in.obj', 2, /--report in\.obj would overwrite the mesh/],
   ['cubic @in.obj --out @o.obj --report @no/r.json', 1, /^no\/r\.json: there is no folder/],
   ['cubic @broken.obj --out @o.obj', 1, /^broken\.obj.*line 2/],
   ['cubic @flat.obj --out @o.obj', 1, /^flat\.obj: All vertices lie in one point.*\.\n$/],
