@@ -66,6 +66,28 @@ async function easel() {
 describe('the painter', () => {
   const at = unit([0.5, 0.2, 0.8]);
 
+  it('paints a ball of its own for each step', async () => {
+    const { editor, painter, rest } = await easel();
+    const stroke = async () => {
+      painter.begin(at);
+      painter.end();
+      await rest();
+    };
+    await stroke();
+    await editor.addStep('analogy', { style: 'octahedron' });
+    await rest();
+    const [first] = editor.project!.steps;
+    painter.setBrush({ direction: [1, 0, 0] });
+    await stroke();
+    await stroke();
+    expect(editor.project!.steps[0]).toBe(first);
+    expect(editor.project!.steps.map(({ parameters }) => parameters.style)).toEqual([
+      'painted.png',
+      'painted-2.png',
+    ]);
+    expect(painter.name).toBe('painted-2.png');
+  });
+
   it('paints its direction where it touches and nowhere else, mirrored to the back', async () => {
     const { painter, rest } = await easel();
     painter.setBrush({ direction: unit([0, 1, 1]), size: 20, hardness: 1, mirror: true });

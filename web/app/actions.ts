@@ -8,7 +8,7 @@ import { type FormatInfo, fileNameEndings } from '../../src/io/index.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import { formatRecipe } from '../../src/recipe/index.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
-import { type NormalPainter, paintedName } from '../tools/paint-normals.ts';
+import type { NormalPainter } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
 import { commandLine, exportName, ownFormat, recipeName } from './export.ts';
 import type { ImageActions } from './image-actions.ts';
@@ -108,7 +108,7 @@ export class Page {
   }
 
   saveCapture(): void {
-    saveFile(new Blob([this.painter.capture()]), paintedName);
+    saveFile(new Blob([this.painter.capture()]), this.painter.name);
   }
 
   /** From where one looks at the file's axes. */

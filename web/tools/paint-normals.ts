@@ -9,6 +9,7 @@ import { add, row, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import { BrushSurface, type BrushTip, Coverage, Stroke } from '../../src/viewer/brush-surface.ts';
+import { freeName } from '../app/free-name.ts';
 import { canTake } from '../app/offered-methods.ts';
 import type { PageStore } from '../app/page-state.ts';
 
@@ -47,6 +48,17 @@ export class NormalPainter {
   /** What is on the ball: the stroke that is being painted, else the active step's style. */
   get map(): SphereMap {
     return this.#stroke?.map ?? sphereOf(this.#style());
+  }
+
+  /** What recipes call the ball of the active step; the balls of other steps keep theirs. */
+  get name(): string {
+    const { project } = this.#store.state;
+    const others = project?.steps.filter(({ id }) => id !== project.active) ?? [];
+    const isTaken = (name: string) =>
+      others.some(({ parameters, remembered }) =>
+        [parameters, ...Object.values(remembered)].some((values) => Object.values(values).includes(name)),
+      );
+    return freeName(paintedName, isTaken);
   }
 
   get isPainting(): boolean {
@@ -145,21 +157,22 @@ export class NormalPainter {
 
   #change(map: SphereMap): StepChange {
     const method = methods.find((one) => canTake(one, map))!;
-    const { name } = styleParameter(method)!;
+    const parameter = styleParameter(method)!.name;
+    const { name } = this;
     const { project } = this.#store.state;
     const step = project && activeStep(project);
     const present = step && (step.method === method.id ? step.parameters : step.remembered[method.id]);
     const starting = () => startingValues(method, { ...project!, style: map, pattern: null });
     return {
       method: method.id,
-      parameters: { ...(present ?? (project ? starting() : {})), [name]: paintedName },
-      assets: new Map([[paintedName, { kind: 'gauss-map', map }]]),
+      parameters: { ...(present ?? (project ? starting() : {})), [parameter]: name },
+      assets: new Map([[name, { kind: 'gauss-map', map }]]),
     };
   }
 }
 
-/** What recipes call a painted ball, and the name it is saved under. */
-export const paintedName = 'painted.png';
+/** What recipes call a painted ball, and the name that it is saved under; a number is put to it if several steps have one. */
+const paintedName = 'painted.png';
 
 const spheres = new WeakMap<GaussMap, SphereMap>();
 let blank: SphereMap | null = null;
