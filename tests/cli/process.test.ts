@@ -18,8 +18,8 @@ const asTerminal = ['--import', 'data:text/javascript,process.stderr.isTTY=true'
 let desk: Desk;
 
 beforeAll(() => {
-  // Set-up has compiled it already; again, so that this never tests what was there before an edit.
-  execFileSync(process.execPath, [`${root}/node_modules/typescript/bin/tsc`, '-p', `${root}/src/cli`]);
+  // Set-up compiles what is stale, so that this never tests what was there before an edit.
+  execFileSync(process.execPath, [`${root}/wasm/tools/setup.mjs`, 'library']);
 });
 beforeEach(async () => {
   desk = await Desk.open();
