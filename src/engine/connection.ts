@@ -68,7 +68,7 @@ export class Connection {
     if (this.#lost) return;
     this.#lost = new WhittleError(
       'worker-lost',
-      `The worker that edits the mesh has stopped (${why}). Nothing in the document is lost; try again and a new one starts.`,
+      `The worker that edits the mesh has stopped (${why}). Nothing of your work is lost; try again and a new one starts.`,
     );
     this.#port.terminate();
     for (const { reject } of this.#pending.values()) reject(this.#lost);

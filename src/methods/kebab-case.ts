@@ -1,4 +1,4 @@
-/** `lambdaPerVertex` → `lambda-per-vertex`: how flags of the command line and attributes of the element write a parameter's name. */
+/** `lambdaPerVertex` → `lambda-per-vertex`: how flags of the command line write a parameter's name. */
 export function kebabCase(name: string): string {
   return name.replaceAll(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 }
