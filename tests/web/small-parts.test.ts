@@ -10,6 +10,7 @@ import { commandLine, exportName, ownFormat } from '../../web/app/export.ts';
 import { offeredMethods } from '../../web/app/offered-methods.ts';
 import { fromTravel, toTravel, travel } from '../../web/panels/slider-scale.ts';
 import { curve } from '../../web/panels/sparkline.ts';
+import { plainReport } from '../fixtures/fake-engine.ts';
 
 const lambda = methods[0]!.parameters.find(({ name }) => name === 'lambda') as NumberParameter;
 const step = newStep({ method: 'cubic', parameters: { lambda: 0.35, tolerance: 3e-3, maxIterations: 50 } });
@@ -85,18 +86,7 @@ describe('dropped files', () => {
 });
 
 describe('words about a mesh', () => {
-  const plain = {
-    vertices: 4,
-    faces: 4,
-    components: 1,
-    boundaryEdges: 0,
-    nonManifoldEdges: 0,
-    degenerateFaces: 0,
-    duplicateFaces: 0,
-    isolatedVertices: 0,
-    min: [0, 0, 0],
-    max: [1, 1, 1],
-  } as const;
+  const plain = plainReport(4, 4);
 
   it('has none for a plain one and one for each oddity', () => {
     expect(remarks(plain, false)).toEqual([]);
