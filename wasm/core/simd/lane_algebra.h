@@ -197,15 +197,15 @@ inline MatrixLanes operator+(const SymmetricLanes& S, const MatrixLanes& A) {
 
 inline void setMatrix(MatrixLanes& M, int lane, const Mat3& value) {
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) M.m[i][j][lane] = static_cast<float>(value(i, j));
+    for (int j = 0; j < 3; ++j) setLane(M.m[i][j], lane, static_cast<float>(value(i, j)));
   }
 }
 
 /// The symmetric part of a matrix.
 inline void setSymmetric(SymmetricLanes& S, int lane, const Mat3& value) {
   const auto mean = [&](int i, int j) { return static_cast<float>(0.5 * (value(i, j) + value(j, i))); };
-  S.xx[lane] = mean(0, 0), S.xy[lane] = mean(0, 1), S.xz[lane] = mean(0, 2);
-  S.yy[lane] = mean(1, 1), S.yz[lane] = mean(1, 2), S.zz[lane] = mean(2, 2);
+  setLane(S.xx, lane, mean(0, 0)), setLane(S.xy, lane, mean(0, 1)), setLane(S.xz, lane, mean(0, 2));
+  setLane(S.yy, lane, mean(1, 1)), setLane(S.yz, lane, mean(1, 2)), setLane(S.zz, lane, mean(2, 2));
 }
 
 inline Mat3 matrixAt(const MatrixLanes& A, int lane) {
@@ -219,9 +219,9 @@ inline Mat3 matrixAt(const MatrixLanes& A, int lane) {
 inline Vec3 vectorAt(const VectorLanes& v, int lane) { return {v.x[lane], v.y[lane], v.z[lane]}; }
 
 inline void setVector(VectorLanes& v, int lane, const Vec3& value) {
-  v.x[lane] = static_cast<float>(value.x());
-  v.y[lane] = static_cast<float>(value.y());
-  v.z[lane] = static_cast<float>(value.z());
+  setLane(v.x, lane, static_cast<float>(value.x()));
+  setLane(v.y, lane, static_cast<float>(value.y()));
+  setLane(v.z, lane, static_cast<float>(value.z()));
 }
 
 /// The rotation of one lane, orthonormal in double precision.
@@ -231,10 +231,10 @@ inline Mat3 rotationAt(const QuaternionLanes& q, int lane) {
 
 inline void setRotation(QuaternionLanes& q, int lane, const Mat3& R) {
   const Eigen::Quaterniond rotation(R);
-  q.w[lane] = static_cast<float>(rotation.w());
-  q.x[lane] = static_cast<float>(rotation.x());
-  q.y[lane] = static_cast<float>(rotation.y());
-  q.z[lane] = static_cast<float>(rotation.z());
+  setLane(q.w, lane, static_cast<float>(rotation.w()));
+  setLane(q.x, lane, static_cast<float>(rotation.x()));
+  setLane(q.y, lane, static_cast<float>(rotation.y()));
+  setLane(q.z, lane, static_cast<float>(rotation.z()));
 }
 
 inline QuaternionLanes identityRotations() { return {splat(1), splat(0), splat(0), splat(0)}; }

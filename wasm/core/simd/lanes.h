@@ -30,6 +30,11 @@ inline Lanes load(const void* p) {
 
 inline void store(void* p, Lanes v) { std::memcpy(p, &v, sizeof v); }
 
+/// Sets one lane of what lies in memory there. An assignment to `v[lane]` takes all four out and puts them back.
+inline void setLane(Lanes& v, int lane, float value) {
+  std::memcpy(reinterpret_cast<char*>(&v) + lane * sizeof value, &value, sizeof value);
+}
+
 inline Lanes splat(float value) { return Lanes{value, value, value, value}; }
 
 /// The number at p in every lane, in one instruction where there is one.

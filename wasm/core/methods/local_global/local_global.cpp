@@ -23,7 +23,8 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
                                      std::function<void(const RestShape& rest)> prepareStep, Stale stale) {
   return Plan(stale)
       .add(Stale::all, "measuring the mesh", 3, [this, &rest] { measure(rest); })
-      .add(Stale::all, "collecting the edges", 12, [this, values] { collectEdges(values().rigidity); })
+      .add(Stale::all, "collecting the edges", 4, [this, values] { beginCollecting(values().rigidity); })
+      .add(Stale::all, "collecting the edges", 8, [this](double& done) { collectEdges(done); })
       .add(Stale::system, "assembling the system", 4, [this, values] { assembleSystem(values().handles); })
       .add(Stale::system, "factoring the system", 80, [this](double& done) { return system_.prepareNext(done); })
       .add(Stale::weights, "preparing the local step", 2,
@@ -50,13 +51,18 @@ void LocalGlobal::measure(const TriangleMesh& rest) {
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
 }
 
-void LocalGlobal::collectEdges(Rigidity rigidity) {
+void LocalGlobal::beginCollecting(Rigidity rigidity) {
   edges_ = makeEdgeSet(edgeSetOf(rigidity), rest_->mesh, halfCotangents_);
-  sizeOfTerms_ = 0;
-  for (const SymmetricLanes& M : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(M.xx + M.yy + M.zz));
   scales_.reset();
   if (rigidity == Rigidity::acap) scales_.emplace(edges_->elementCount());
   isClaimed_ = false;
+}
+
+void LocalGlobal::collectEdges(double& done) {
+  done = edges_->collectNext();
+  if (done < 1) return;
+  sizeOfTerms_ = 0;
+  for (const SymmetricLanes& M : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(M.xx + M.yy + M.zz));
 }
 
 void LocalGlobal::claimRunningState() {

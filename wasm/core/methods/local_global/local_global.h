@@ -45,7 +45,8 @@ class LocalGlobal {
 
  private:
   void measure(const TriangleMesh& rest);
-  void collectEdges(Rigidity rigidity);
+  void beginCollecting(Rigidity rigidity);
+  void collectEdges(double& done);
   void claimRunningState();
   void assembleSystem(const Handles& handles);
   /// Where the rotations of a local step start from.

@@ -1,9 +1,27 @@
 #include "methods/local_global/edges/edge_set.h"
 
+#include <algorithm>
+
 #include "methods/local_global/edges/face_edges.h"
 #include "methods/local_global/edges/spokes_and_rims.h"
 
 namespace whittle {
+
+namespace {
+
+/// Elements of a slice: 5 to 10 ms as wasm, on cold caches too.
+constexpr Index kSlice = 16384;
+
+}  // namespace
+
+double EdgeSet::collectNext() {
+  const ElementRange range{collected_, std::min(collected_ + kSlice, elementCount_)};
+  collect(range);
+  collected_ = range.end;
+  if (collected_ < elementCount_) return static_cast<double>(collected_) / elementCount_;
+  endCollecting();
+  return 1;
+}
 
 std::unique_ptr<EdgeSet> makeEdgeSet(EdgeSetKind kind, const TriangleMesh& rest, const CornerScalars& halfCotangents) {
   if (kind == EdgeSetKind::faces) return std::make_unique<FaceEdges>(rest, halfCotangents);

@@ -37,6 +37,8 @@ struct ElementRange {
 ///
 /// Displacements and residual are rows (#V, filled up to whole batches).
 ///
+/// A set is made without edges; `collectNext` collects them, and all else is for a set that has them all.
+///
 /// Elements come in ranges, so that a caller can take a few through the whole of its step before the next ones: what
 /// they need is then still in the nearest cache.
 class EdgeSet {
@@ -44,6 +46,10 @@ class EdgeSet {
   EdgeSet(Index elementCount, Index vertexCount)
       : elementCount_(elementCount), restCovariances_(batchCount(elementCount)), stiff_(vertexCount) {}
   virtual ~EdgeSet() = default;
+
+  /// Collects the edges of the next elements, a slice of them a call (see linear/slices.h); returns the share that is
+  /// done.
+  double collectNext();
 
   /// Rotations: one per vertex or one per face.
   Index elementCount() const { return elementCount_; }
@@ -68,6 +74,10 @@ class EdgeSet {
   virtual void addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const = 0;
 
  protected:
+  /// Collects the edges of a range of elements, each once and in their order.
+  virtual void collect(ElementRange range) = 0;
+  /// Frees what only collecting needs.
+  virtual void endCollecting() {}
   void addStiffEdge(Index a, Index b, double weight) { stiff_.add(a, b, weight); }
   void setRestCovariance(Index element, const Mat3& value) {
     setSymmetric(restCovariances_[element / 4], element % 4, value);
@@ -75,10 +85,12 @@ class EdgeSet {
 
  private:
   Index elementCount_;
+  Index collected_ = 0;
   std::vector<SymmetricLanes> restCovariances_;
   StiffEdges stiff_;
 };
 
+/// A set without edges yet; the mesh and its cotangents must outlive the collecting.
 std::unique_ptr<EdgeSet> makeEdgeSet(EdgeSetKind kind, const TriangleMesh& rest, const CornerScalars& halfCotangents);
 
 /// The gradients g at the three corners of a face, one a column.

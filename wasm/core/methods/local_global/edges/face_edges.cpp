@@ -9,22 +9,25 @@ VectorLanes operator-(const VectorLanes& v) { return {-v.x, -v.y, -v.z}; }
 }  // namespace
 
 FaceEdges::FaceEdges(const TriangleMesh& rest, const CornerScalars& halfCotangents)
-    : EdgeSet(rest.faceCount(), rest.vertexCount()), faces_(batchCount(rest.faceCount()), Faces{}) {
-  for (Index f = 0; f < rest.faceCount(); ++f) {
+    : EdgeSet(rest.faceCount(), rest.vertexCount()), rest_(rest), halfCotangents_(halfCotangents),
+      faces_(batchCount(rest.faceCount()), Faces{}) {}
+
+void FaceEdges::collect(ElementRange range) {
+  for (Index f = range.first; f < range.end; ++f) {
     Faces& faces = faces_[f / 4];
     const int lane = f % 4;
     for (int k = 0; k < 3; ++k) {
-      faces.corners[k].of[lane] = rest.triangles(f, k);
-      const double c = halfCotangents(f, k);
+      faces.corners[k].of[lane] = rest_.triangles(f, k);
+      const double c = halfCotangents_(f, k);
       if (StiffEdges::isStiff(c)) {
-        addStiffEdge(rest.triangles(f, (k + 1) % 3), rest.triangles(f, (k + 2) % 3), c);
+        addStiffEdge(rest_.triangles(f, (k + 1) % 3), rest_.triangles(f, (k + 2) % 3), c);
       } else {
-        faces.weights[k][lane] = static_cast<float>(c);
+        setLane(faces.weights[k], lane, static_cast<float>(c));
       }
     }
-    const Mat3 g = cornerGradients(rest, halfCotangents, f);
+    const Mat3 g = cornerGradients(rest_, halfCotangents_, f);
     const auto edgeTo = [&](int k) {
-      return rest.positions.row(rest.triangles(f, k)) - rest.positions.row(rest.triangles(f, 0));
+      return rest_.positions.row(rest_.triangles(f, k)) - rest_.positions.row(rest_.triangles(f, 0));
     };
     Mat3 covariance = Mat3::Zero();
     for (int k = 1; k < 3; ++k) {

@@ -14,6 +14,9 @@ class FaceEdges : public EdgeSet {
                            LaneRows& residual) const override;
   void addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const override;
 
+ protected:
+  void collect(ElementRange range) override;
+
  private:
   /// Four faces; zeros for what fills up the last batch.
   struct Faces {
@@ -22,6 +25,8 @@ class FaceEdges : public EdgeSet {
     VectorLanes gradients[2];  // g of corners 1 and 2; corner 0 has what makes the sum zero
   };
 
+  const TriangleMesh& rest_;
+  const CornerScalars& halfCotangents_;
   std::vector<Faces> faces_;
 };
 

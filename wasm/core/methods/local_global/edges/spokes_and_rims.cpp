@@ -18,8 +18,10 @@ struct WideSpoke {
   Index neighbour;
 };
 
+}  // namespace
+
 /// Collects the rings of vertices, one after the other.
-class RingCollector {
+class SpokesAndRims::RingCollector {
  public:
   RingCollector(const TriangleMesh& rest, const CornerScalars& halfCotangents)
       : rest_(rest), halfCotangents_(halfCotangents), fans_(rest.triangles, rest.vertexCount()),
@@ -67,22 +69,26 @@ class RingCollector {
   std::vector<Index> place_;  // of a vertex in the present ring, or −1
 };
 
-}  // namespace
-
 SpokesAndRims::SpokesAndRims(const TriangleMesh& rest, const CornerScalars& halfCotangents)
-    : EdgeSet(rest.vertexCount(), rest.vertexCount()) {
-  RingCollector collector(rest, halfCotangents);
-  std::vector<WideSpoke> rings[4];
-  start_.assign(1, 0);
+    : EdgeSet(rest.vertexCount(), rest.vertexCount()),
+      collector_(std::make_unique<RingCollector>(rest, halfCotangents)), start_(1, 0) {
   spokes_.reserve(rest.triangles.size() / 2);
-  for (Index first = 0; first < rest.vertexCount(); first += 4) {
+}
+
+SpokesAndRims::~SpokesAndRims() = default;
+
+void SpokesAndRims::endCollecting() { collector_.reset(); }
+
+void SpokesAndRims::collect(ElementRange range) {
+  std::vector<WideSpoke> rings[4];
+  for (Index first = range.first; first < range.end; first += 4) {
     std::size_t longest = 0;
     for (Index lane = 0; lane < 4; ++lane) {
       const Index k = first + lane;
       rings[lane].clear();
-      if (k >= rest.vertexCount()) continue;
-      collector.collect(k, rings[lane]);
-      setRestCovariance(k, collector.covariance(k, rings[lane]));
+      if (k >= range.end) continue;
+      collector_->collect(k, rings[lane]);
+      setRestCovariance(k, collector_->covariance(k, rings[lane]));
       longest = std::max(longest, rings[lane].size());
     }
     for (std::size_t slot = 0; slot < longest; ++slot) {
@@ -94,7 +100,7 @@ SpokesAndRims::SpokesAndRims(const TriangleMesh& rest, const CornerScalars& half
         setVector(spokes.gradients, lane, spoke.gradient);
         spokes.neighbours.of[lane] = spoke.neighbour;
         if (!StiffEdges::isStiff(spoke.weight)) {
-          spokes.weights[lane] = static_cast<float>(spoke.weight);
+          setLane(spokes.weights, lane, static_cast<float>(spoke.weight));
         } else if (first + lane < spoke.neighbour) {
           addStiffEdge(first + lane, spoke.neighbour, spoke.weight);
         }

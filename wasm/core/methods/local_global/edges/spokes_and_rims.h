@@ -9,13 +9,20 @@ namespace whittle {
 class SpokesAndRims : public EdgeSet {
  public:
   SpokesAndRims(const TriangleMesh& rest, const CornerScalars& halfCotangents);
+  ~SpokesAndRims() override;
 
   int visits() const override { return 3; }  // those of the corners of each face
   double gatherCovariances(const LaneRows& displacements, ElementRange range, MatrixLanes* covariances,
                            LaneRows& residual) const override;
   void addRotationChanges(const MatrixLanes* rotationChanges, ElementRange range, LaneRows& residual) const override;
 
+ protected:
+  void collect(ElementRange range) override;
+  void endCollecting() override;
+
  private:
+  class RingCollector;
+
   /// One neighbour j of each of four vertices k. Where a ring is at its end before the others, k itself with zeros.
   /// Ĝ_kj is never longer than the edges around it.
   struct Spokes {
@@ -24,7 +31,8 @@ class SpokesAndRims : public EdgeSet {
     RowIndices neighbours;  // j
   };
 
-  std::vector<Index> start_;  // #batches + 1, into `spokes_`
+  std::unique_ptr<RingCollector> collector_;  // until all is collected
+  std::vector<Index> start_;                  // #batches + 1, into `spokes_`
   std::vector<Spokes> spokes_;
 };
 
