@@ -1,33 +1,16 @@
-import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import type { BrowserContextOptions, Page } from 'playwright-core';
+import { expect, it } from 'vitest';
 import type { WhittleView } from '../../src/element/index.ts';
-import { makeSamples } from '../../web/build/samples.mjs';
 import { violations } from './support/axe.ts';
-import { launch } from './support/launch.ts';
-import { buildElement, type StaticServer, serveStatic } from './support/static-server.ts';
+import type { StaticServer } from './support/static-server.ts';
+import { docsPage, useElement } from './support/use-element.ts';
 
 /** What pages do to elements that nobody thought of: attributes that change too soon, elements that move, many of them, no WebGL. */
 
-const samples = 'public/samples';
-const docs = (views: string) => `<!doctype html>
-<html lang="en"><head><title>Docs</title><style>whittle-view { width: 160px; height: 120px; }</style>
-<script type="module" src="/whittle/whittle-view.js"></script></head>
-<body><main><h1>How to whittle</h1>${views}</main></body></html>`;
+const docs = (views: string) => docsPage(views, [160, 120]);
 const rabbit = '/samples/rabbit.glb';
 
-let browser: Browser;
-let folders: Record<string, string>;
-const servers: StaticServer[] = [];
-
-beforeAll(async () => {
-  await makeSamples();
-  folders = { whittle: await buildElement(), samples };
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser?.close();
-  for (const server of servers) await server.close();
-});
+const element = useElement();
 
 /** What the page notes of itself. */
 interface Notes {
@@ -41,10 +24,9 @@ async function open(
   pages: Readonly<Record<string, string>> = {},
   options: BrowserContextOptions & { readonly noWebGl?: boolean } = {},
 ): Promise<{ page: Page; workers: () => number; errors: string[]; server: StaticServer }> {
-  const server = await serveStatic(folders, { '/': docs(views), ...pages });
-  servers.push(server);
+  const server = await element.serve({ '/': docs(views), ...pages });
   const { noWebGl = false, ...context } = options;
-  const page = await (await browser.newContext({ reducedMotion: 'reduce', ...context })).newPage();
+  const page = await (await element.browser.newContext({ reducedMotion: 'reduce', ...context })).newPage();
   const errors: string[] = [];
   let workers = 0;
   page.on('pageerror', (error) => errors.push(error.message));

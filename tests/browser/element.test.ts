@@ -1,21 +1,14 @@
 import { readFile } from 'node:fs/promises';
-import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
 import { runCommandLine } from '../../src/cli/command-line.ts';
 import type { WhittleView } from '../../src/element/index.ts';
-import { makeSamples } from '../../web/build/samples.mjs';
 import { violations } from './support/axe.ts';
-import { launch } from './support/launch.ts';
-import { buildElement, type StaticServer, serveStatic } from './support/static-server.ts';
+import { docsPage, samples, useElement } from './support/use-element.ts';
 
 const strict = "script-src 'self' 'wasm-unsafe-eval'";
-const samples = 'public/samples';
 
-/** A docs page: `views` are its elements. @param scripts where the element's files lie */
-const docs = (views: string, scripts = '/whittle') => `<!doctype html>
-<html lang="en"><head><title>Docs</title><style>whittle-view { width: 320px; height: 240px; }</style>
-<script type="module" src="${scripts}/whittle-view.js"></script></head>
-<body><main><h1>How to whittle</h1>${views}</main></body></html>`;
+const docs = (views: string, scripts?: string) => docsPage(views, [320, 240], scripts);
 
 const four = `
   <whittle-view id="plain" src="/samples/vase.obj" alt="A vase"></whittle-view>
@@ -23,28 +16,10 @@ const four = `
   <whittle-view id="style" src="/samples/rabbit.glb" method="analogy" style-src="octahedron" alt="A rabbit of eight sides"></whittle-view>
   <whittle-view id="recipe" src="/samples/knot.ply" recipe='{"whittle":1,"steps":[{"method":"cubic","lambda":0.1},{"method":"developable","maxIterations":5}]}' alt="A folded knot"></whittle-view>`;
 
-let browser: Browser;
-let folders: Record<string, string>;
-const servers: StaticServer[] = [];
-
-beforeAll(async () => {
-  await makeSamples();
-  folders = { whittle: await buildElement(), samples };
-  browser = await launch();
-});
-afterAll(async () => {
-  await browser?.close();
-  for (const server of servers) await server.close();
-});
-
-async function serve(...options: Parameters<typeof serveStatic>): Promise<StaticServer> {
-  const server = await serveStatic(...options);
-  servers.push(server);
-  return server;
-}
+const element = useElement();
 
 async function open(url: string): Promise<{ page: Page; errors: string[] }> {
-  const page = await (await browser.newContext({ reducedMotion: 'reduce' })).newPage();
+  const page = await (await element.browser.newContext({ reducedMotion: 'reduce' })).newPage();
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.message));
   // Events of elements that are there before anybody can listen to them.
@@ -75,7 +50,7 @@ async function happened(page: Page, ...events: string[]): Promise<void> {
 }
 
 it('works four times on a static page under a strict policy, with one worker, and gives the command line’s bytes', async () => {
-  const server = await serve(folders, { '/': docs(four) }, strict);
+  const server = await element.serve({ '/': docs(four) }, strict);
   const { page, errors } = await open(`${server.url}/`);
   await page.evaluate(() => document.querySelector('#recipe')!.scrollIntoView());
   await happened(page, 'plain load', 'cubic load', 'cubic change', 'style change', 'recipe change');
@@ -96,8 +71,7 @@ it('works four times on a static page under a strict policy, with one worker, an
 });
 
 it('shows a plain mesh without fetching the core', async () => {
-  const server = await serve(
-    folders,
+  const server = await element.serve(
     { '/': docs('<whittle-view id="plain" src="/samples/vase.obj" alt="A vase"></whittle-view>') },
     strict,
   );
@@ -112,7 +86,7 @@ it('shows a plain mesh without fetching the core', async () => {
 it('follows its attributes and its slider, and can be cancelled and reset', async () => {
   const view =
     '<whittle-view id="a" src="/samples/rabbit.glb" method="cubic" lambda="0.2" controls alt="A rabbit"></whittle-view>';
-  const server = await serve(folders, { '/': docs(view) }, strict);
+  const server = await element.serve({ '/': docs(view) }, strict);
   const { page } = await open(`${server.url}/`);
   await happened(page, 'a change');
   const shape = () =>
@@ -145,18 +119,19 @@ it('follows its attributes and its slider, and can be cancelled and reset', asyn
 });
 
 it('works with its files on another origin, whose worker a page may not start', async () => {
-  const cdn = await serve({ '': folders.whittle!, ...folders });
+  const cdn = await element.serve({});
   const view = '<whittle-view id="a" src="/samples/rabbit.glb" method="cubic" alt="A rabbit"></whittle-view>';
-  const server = await serve({ samples }, { '/': docs(view, `${cdn.url}/whittle`) });
+  const server = await element.serve({ '/': docs(view, `${cdn.url}/whittle`) });
   const { page, errors } = await open(`${server.url}/`);
   await happened(page, 'a change');
+  expect(server.asked.filter((path) => path.startsWith('/whittle'))).toEqual([]);
   expect(errors).toEqual([]);
   await page.context().close();
 });
 
 it('says what is wrong, and frees what it has when it leaves the page', async () => {
   const view = '<whittle-view id="a" src="/samples/none.glb" method="cubic" alt="Nothing"></whittle-view>';
-  const server = await serve(folders, { '/': docs(view) }, strict);
+  const server = await element.serve({ '/': docs(view) }, strict);
   const { page } = await open(`${server.url}/`);
   await happened(page, 'a error');
   expect(await page.locator('#a [role=alert] p').innerText()).toContain(

@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { bakedGlb, normalMap, plate, pngOf } from '../fixtures/textured.ts';
 import { violations } from './support/axe.ts';
-import { carved, entered, picture } from './support/browser.ts';
+import { carved, drop, entered, picture } from './support/browser.ts';
 import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
@@ -21,18 +21,6 @@ async function openRelief(options = {}): Promise<void> {
   await page.getByRole('button', { name: 'Try the jar' }).click();
   await page.waitForSelector('.images');
   await carved(page);
-}
-
-async function drop(target: string, name: string, bytes: Uint8Array): Promise<void> {
-  const transfer = await page.evaluateHandle(
-    ([values, file]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([Uint8Array.from(values)], file));
-      return data;
-    },
-    [[...bytes], name] as const,
-  );
-  await page.dispatchEvent(target, 'drop', { dataTransfer: transfer });
 }
 
 async function chosen(name: string): Promise<void> {
@@ -89,6 +77,7 @@ it('says when the picture is too fine for the mesh', async () => {
 it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is no picture', async () => {
   await openRelief();
   await drop(
+    page,
     '#canvas',
     'waves.png',
     pngOf(normalMap(64, (u, v) => 0.03 * Math.sin(12 * u) * Math.sin(12 * v))),
@@ -110,9 +99,9 @@ it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is n
     const blob = await canvas.convertToBlob({ type: 'image/jpeg' });
     return [...new Uint8Array(await blob.arrayBuffer())];
   });
-  await drop('.images', 'stamp.jpg', Uint8Array.from(jpeg));
+  await drop(page, '.images', 'stamp.jpg', Uint8Array.from(jpeg));
   await chosen('stamp');
-  await drop('.images', 'fake.webp', Uint8Array.of(1, 2, 3));
+  await drop(page, '.images', 'fake.webp', Uint8Array.of(1, 2, 3));
   const alert = page.locator('[role=alert] .notice');
   await alert.waitFor();
   expect(await alert.innerText()).toContain('fake.webp could not be read as an image');
@@ -125,7 +114,7 @@ it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is n
 it('unbakes the normal map inside a file at the first click', async () => {
   await openRelief();
   const map = pngOf(normalMap(64, (u, v) => 0.02 * Math.sin(12 * u) * Math.sin(12 * v)));
-  await drop('#canvas', 'plate.glb', bakedGlb(plate(60), map));
+  await drop(page, '#canvas', 'plate.glb', bakedGlb(plate(60), map));
   await page.waitForFunction(() => !document.querySelector('.images'));
   await carved(page);
   await relief().click();

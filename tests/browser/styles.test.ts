@@ -4,7 +4,7 @@ import { isPng, writePng } from '../../src/inputs/images/png.ts';
 import { pixelsOfMap, sphereMap } from '../../src/inputs/styles/captures.ts';
 import { unit } from '../../src/mesh/vectors.ts';
 import { violations } from './support/axe.ts';
-import { carved, picture } from './support/browser.ts';
+import { carved, drop, picture } from './support/browser.ts';
 import { saved } from './support/downloads.ts';
 import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
@@ -23,19 +23,6 @@ async function openStyles(options = {}): Promise<void> {
   await page.locator('.switch label').nth(1).click();
   await page.waitForSelector('.tile[aria-selected=true]');
   await carved(page);
-}
-
-async function drop(target: string, name: string, bytes: Uint8Array): Promise<void> {
-  const transfer = await page.evaluateHandle(
-    ([values, file]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([Uint8Array.from(values)], file));
-      return data;
-    },
-    [[...bytes], name] as const,
-  );
-  await page.dispatchEvent(target, 'dragenter', { dataTransfer: transfer });
-  await page.dispatchEvent(target, 'drop', { dataTransfer: transfer });
 }
 
 async function chosen(name: string): Promise<void> {
@@ -89,11 +76,11 @@ it('fills every picture, soon and not all at once', async () => {
 it('takes a dropped picture of normals as a style and refuses a photo', async () => {
   await openStyles();
   const tilted = sphereMap(([x, y, z]) => unit([x, y + 0.8, z]));
-  await drop('#canvas', 'tilted.png', writePng(pixelsOfMap(tilted, 64)));
+  await drop(page, '#canvas', 'tilted.png', writePng(pixelsOfMap(tilted, 64)));
   await chosen('tilted');
   const before = await picture(page);
   const grey = { width: 32, height: 24, data: new Uint8Array(4 * 32 * 24).fill(90) };
-  await drop('.gallery', 'photo.png', writePng(grey));
+  await drop(page, '.gallery', 'photo.png', writePng(grey));
   const alert = page.locator('[role=alert] .notice');
   await alert.waitFor();
   expect(await alert.innerText()).toContain('crop it');
@@ -103,7 +90,7 @@ it('takes a dropped picture of normals as a style and refuses a photo', async ()
 
 it('puts the style on the next mesh too, here an open one, and leaves its boundary blank', async () => {
   await openStyles();
-  await drop('#canvas', 'bowl.obj', bowl());
+  await drop(page, '#canvas', 'bowl.obj', bowl());
   await page.waitForFunction(() => document.querySelector('.report small')?.textContent === '972 faces');
   await chosen('Octahedron');
   await page.locator('.measures summary').click();
@@ -113,11 +100,11 @@ it('puts the style on the next mesh too, here an open one, and leaves its bounda
 
 it('reads a concave mesh through the sphere once asked, and says why another cannot be', async () => {
   await openStyles();
-  await drop('.gallery', 'peanut.obj', revolved(false));
+  await drop(page, '.gallery', 'peanut.obj', revolved(false));
   await act('accept-style').click();
   await page.waitForSelector('whittle-flow');
   await chosen('peanut');
-  await drop('.gallery', 'ring.obj', revolved(true));
+  await drop(page, '.gallery', 'ring.obj', revolved(true));
   await act('accept-style').click();
   const alert = page.locator('[role=alert] .notice');
   await alert.waitFor();

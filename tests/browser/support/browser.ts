@@ -134,3 +134,17 @@ export async function solveForever(page: Page): Promise<void> {
   await page.keyboard.down('ArrowRight');
   await solving(page);
 }
+
+/** Drops a file on what a selector finds, as a person would who drags it there. */
+export async function drop(page: Page, target: string, name: string, bytes: Uint8Array): Promise<void> {
+  const dataTransfer = await page.evaluateHandle(
+    ([values, file]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(values)], file));
+      return data;
+    },
+    [[...bytes], name] as const,
+  );
+  await page.dispatchEvent(target, 'dragenter', { dataTransfer });
+  await page.dispatchEvent(target, 'drop', { dataTransfer });
+}

@@ -1,9 +1,8 @@
 #include <doctest/doctest.h>
 
-#include <vector>
-
 #include "methods/stopping_rule.h"
 #include "session/session.h"
+#include "support/runs.h"
 #include "support/shapes.h"
 
 using namespace whittle;
@@ -13,11 +12,6 @@ namespace {
 
 StepReport report(double energy, double change) { return {Outcome::running, energy, change}; }
 
-struct Run {
-  std::vector<double> energies;
-  Outcome outcome = Outcome::running;
-};
-
 Run carve(const TriangleMesh& mesh, const std::string& stopOn, double tolerance) {
   Session session;
   REQUIRE(session.load(mesh).ok());
@@ -25,14 +19,7 @@ Run carve(const TriangleMesh& mesh, const std::string& stopOn, double tolerance)
   REQUIRE(session.set("stopOn", encoded(stopOn)).ok());
   REQUIRE(session.set("tolerance", encoded(tolerance)).ok());
   REQUIRE(session.prepare().ok());
-  Run run;
-  while (run.outcome == Outcome::running) {
-    StepReport step;
-    REQUIRE(session.step(step).ok());
-    run.outcome = step.outcome;
-    run.energies.push_back(step.energy);
-  }
-  return run;
+  return finish(session);
 }
 
 }  // namespace

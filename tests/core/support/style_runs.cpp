@@ -36,24 +36,11 @@ void prepareAnalogy(Session& session, const Analogy& analogy) {
   REQUIRE(session.prepare().ok());
 }
 
-StyledRun finish(Session& session, Index vertexCount) {
-  StyledRun result;
-  while (result.outcome == Outcome::running) {
-    StepReport report;
-    REQUIRE(session.step(report).ok());
-    result.outcome = report.outcome;
-    result.energies.push_back(report.energy);
-  }
-  result.positions.resize(vertexCount, 3);
-  session.copyPositions(result.positions.data());
-  return result;
-}
-
-StyledRun run(const TriangleMesh& mesh, const Analogy& analogy) {
+Run run(const TriangleMesh& mesh, const Analogy& analogy) {
   Session session;
   REQUIRE(session.load(mesh).ok());
   prepareAnalogy(session, analogy);
-  return finish(session, mesh.vertexCount());
+  return finish(session);
 }
 
 double angleToStyle(const Points& positions, const Triangles& triangles, const GaussMap& style) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
+#include <string>
 
-#include "session/session.h"
+#include "support/runs.h"
 #include "targets/gauss_map.h"
 
 namespace whittle::testing {
@@ -25,19 +25,10 @@ struct Analogy {
   Scalars lambdaPerVertex = {};
 };
 
-struct StyledRun {
-  Points positions;
-  std::vector<double> energies;
-  Outcome outcome = Outcome::running;
-};
-
-/// Runs a prepared session to its end.
-StyledRun finish(Session& session, Index vertexCount);
-
 /// Gives a session that holds a mesh the method and its parameters, and prepares it.
 void prepareAnalogy(Session& session, const Analogy& analogy);
 
-StyledRun run(const TriangleMesh& mesh, const Analogy& analogy);
+Run run(const TriangleMesh& mesh, const Analogy& analogy);
 
 /// Mean angle between face normals and what the style has for them, area-weighted, in degrees.
 double angleToStyle(const Points& positions, const Triangles& triangles, const GaussMap& style);

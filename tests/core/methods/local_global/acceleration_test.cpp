@@ -4,6 +4,7 @@
 
 #include "session/session.h"
 #include "support/allocations.h"
+#include "support/runs.h"
 #include "support/shapes.h"
 
 using namespace whittle;
@@ -23,12 +24,6 @@ struct Setup {
   Handles handles = {};
 };
 
-struct Run {
-  Points positions;
-  std::vector<double> energies;
-  Outcome outcome = Outcome::running;
-};
-
 void open(Session& session, const TriangleMesh& mesh, const Setup& setup) {
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("cubic").ok());
@@ -44,16 +39,7 @@ void open(Session& session, const TriangleMesh& mesh, const Setup& setup) {
 Run run(const TriangleMesh& mesh, const Setup& setup) {
   Session session;
   open(session, mesh, setup);
-  Run result;
-  while (result.outcome == Outcome::running) {
-    StepReport report;
-    REQUIRE(session.step(report).ok());
-    result.outcome = report.outcome;
-    result.energies.push_back(report.energy);
-  }
-  result.positions.resize(mesh.vertexCount(), 3);
-  session.copyPositions(result.positions.data());
-  return result;
+  return finish(session);
 }
 
 /// Iterations until the energy is within `share` of the lowest.

@@ -5,6 +5,7 @@
 #include "geometry/surface.h"
 #include "session/session.h"
 #include "support/allocations.h"
+#include "support/runs.h"
 #include "support/shapes.h"
 
 using namespace whittle;
@@ -14,12 +15,6 @@ namespace {
 
 /// How far single-precision rotations may take two orders of the same arithmetic apart, for meshes of size about 2.
 constexpr double kSingle = 2e-6;
-
-struct Run {
-  Points positions;
-  std::vector<double> energies;
-  Outcome outcome = Outcome::running;
-};
 
 struct Setup {
   std::string method = "cubic";
@@ -38,16 +33,7 @@ Run run(const TriangleMesh& mesh, const Setup& setup) {
   REQUIRE(session.set("maxIterations", encoded(setup.maxIterations)).ok());
   REQUIRE(session.set("handles", encoded(setup.handles)).ok());
   REQUIRE(session.prepare().ok());
-  Run result;
-  while (result.outcome == Outcome::running) {
-    StepReport report;
-    REQUIRE(session.step(report).ok());
-    result.outcome = report.outcome;
-    result.energies.push_back(report.energy);
-  }
-  result.positions.resize(mesh.vertexCount(), 3);
-  session.copyPositions(result.positions.data());
-  return result;
+  return finish(session);
 }
 
 /// Mean angle between face normals and the nearest axis, area-weighted, in degrees: 0 for a box.

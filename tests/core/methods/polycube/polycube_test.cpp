@@ -42,11 +42,11 @@ void prepareBoxed(Session& session, const Boxed& boxed) {
   REQUIRE(session.prepare().ok());
 }
 
-StyledRun carve(const TriangleMesh& mesh, const Boxed& boxed) {
+Run carve(const TriangleMesh& mesh, const Boxed& boxed) {
   Session session;
   REQUIRE(session.load(mesh).ok());
   prepareBoxed(session, boxed);
-  return finish(session, mesh.vertexCount());
+  return finish(session);
 }
 
 double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().norm().maxCoeff(); }
@@ -74,7 +74,7 @@ TEST_CASE("an animal becomes a polycube without folds") {
   const TriangleMesh mesh = animal(4);
   const double angle = angleToStyle(mesh.positions, mesh.triangles, GaussMap(cubeStyle()));
   for (const double smoothing : {0.0, 0.2}) {
-    const StyledRun result = carve(mesh, {cubeStyle(), 1, smoothing});
+    const Run result = carve(mesh, {cubeStyle(), 1, smoothing});
     const double now = angleToStyle(result.positions, mesh.triangles, GaussMap(cubeStyle()));
     const double volume = volumeInside(result.positions, mesh.triangles) / volumeInside(mesh.positions, mesh.triangles);
     const double within = shareWithin(10, cubeStyle().normals, result.positions, mesh.triangles);
@@ -92,7 +92,7 @@ TEST_CASE("an animal becomes a polycube without folds") {
 TEST_CASE("other directions make other boxes") {
   for (const TriangleMesh& mesh : {animal(4), torus(32)}) {
     for (const GaussMapData& directions : {prismStyle(), octahedronStyle()}) {
-      const StyledRun result = carve(mesh, {directions});
+      const Run result = carve(mesh, {directions});
       CHECK(angleToStyle(result.positions, mesh.triangles, GaussMap(directions)) < 3.5);
       CHECK(foldCount(result.positions, mesh.triangles) == 0);
     }
@@ -186,9 +186,9 @@ TEST_CASE("a polycube has the same bits every time, and its steps allocate nothi
   Session session;
   REQUIRE(session.load(mesh).ok());
   prepareBoxed(session, boxed);
-  const Points first = finish(session, mesh.vertexCount()).positions;
+  const Points first = finish(session).positions;
   REQUIRE(session.prepare().ok());  // from where the run before ended
-  CHECK(finish(session, mesh.vertexCount()).positions == first);
+  CHECK(finish(session).positions == first);
   CHECK(carve(mesh, boxed).positions == first);
 
   REQUIRE(session.prepare().ok());

@@ -7,6 +7,7 @@
 #include "methods/spherical/moebius.h"
 #include "methods/spherical/sphere_topology.h"
 #include "session/session.h"
+#include "support/runs.h"
 #include "support/shapes.h"
 
 using namespace whittle;
@@ -14,30 +15,14 @@ using namespace whittle::testing;
 
 namespace {
 
-struct Flow {
-  Points positions;
-  std::vector<double> energies;
-  Outcome outcome = Outcome::running;
-};
-
-Flow flow(const TriangleMesh& mesh, double timeStep = 1e-3, int maxIterations = 300) {
+Run flow(const TriangleMesh& mesh, double timeStep = 1e-3, int maxIterations = 300) {
   Session session;
   REQUIRE(session.load(mesh).ok());
   REQUIRE(session.select("spherical").ok());
   REQUIRE(session.set("timeStep", encoded(timeStep)).ok());
   REQUIRE(session.set("maxIterations", encoded(maxIterations)).ok());
   REQUIRE(session.prepare().ok());
-  Flow result;
-  while (result.outcome == Outcome::running) {
-    StepReport report;
-    const Status status = session.step(report);
-    REQUIRE_MESSAGE(status.ok(), status.message);
-    result.outcome = report.outcome;
-    result.energies.push_back(report.energy);
-  }
-  result.positions.resize(mesh.vertexCount(), 3);
-  session.copyPositions(result.positions.data());
-  return result;
+  return finish(session);
 }
 
 Status prepared(const TriangleMesh& mesh) {
@@ -90,7 +75,7 @@ TriangleMesh bumpyLong(int levels) {
 
 TEST_CASE("a sphere stays the sphere it is") {
   const TriangleMesh mesh = sphere(4);
-  const Flow result = flow(mesh);
+  const Run result = flow(mesh);
   CHECK(result.outcome == Outcome::converged);
   CHECK(result.energies.size() <= 2);
   const Points moved = directions(mesh, result.positions);
@@ -99,7 +84,7 @@ TEST_CASE("a sphere stays the sphere it is") {
 
 TEST_CASE("closed shapes become a round sphere, keep their angles and fold nowhere") {
   for (const TriangleMesh& mesh : {bent(sphere(4)), bumpyLong(4), longBox(24, 6)}) {
-    const Flow result = flow(mesh);
+    const Run result = flow(mesh);
     CHECK(result.outcome == Outcome::converged);
     CHECK(result.energies.size() < 120);
     const Vec3 center = centroid(mesh.positions, mesh.triangles);
@@ -136,14 +121,14 @@ TEST_CASE("the sphere does not depend on the time step, on units or on place") {
 
 TEST_CASE("turned inside out it flows just as well, and the same input gives the same bits") {
   TriangleMesh mesh = bumpyLong(3);
-  const Flow result = flow(mesh);
+  const Run result = flow(mesh);
   CHECK(flow(mesh).positions == result.positions);
   mesh.triangles.col(0).swap(mesh.triangles.col(1));
   CHECK((flow(mesh).positions - result.positions).rowwise().norm().maxCoeff() < 1e-6);
 }
 
 TEST_CASE("natively and as wasm the flow takes the same steps to the same end") {
-  const Flow result = flow(bumpyLong(4));
+  const Run result = flow(bumpyLong(4));
   CHECK(std::abs(static_cast<int>(result.energies.size()) - 54) <= 1);
   CHECK(result.energies.back() == doctest::Approx(1.00193473).epsilon(1e-6));
   CHECK(result.positions.row(100).norm() == doctest::Approx(1.446803904).epsilon(1e-5));
@@ -152,7 +137,7 @@ TEST_CASE("natively and as wasm the flow takes the same steps to the same end") 
 TEST_CASE("the iteration limit leaves the surface on its way") {
   const TriangleMesh mesh = bumpyLong(3);
   CHECK(flow(mesh, 1e-3, 0).positions == mesh.positions);
-  const Flow result = flow(mesh, 1e-3, 5);
+  const Run result = flow(mesh, 1e-3, 5);
   CHECK(result.outcome == Outcome::iterationLimit);
   CHECK(result.energies.size() == 5);
   const double before = faceAreas(mesh.positions, mesh.triangles).sum();
@@ -164,7 +149,7 @@ TEST_CASE("a vertex without a face stays where it is") {
   TriangleMesh mesh = bent(sphere(3));
   mesh.positions.conservativeResize(mesh.vertexCount() + 1, 3);
   mesh.positions.row(mesh.vertexCount() - 1) << 0.3, 1.2, -0.4;
-  const Flow result = flow(mesh);
+  const Run result = flow(mesh);
   CHECK(result.outcome == Outcome::converged);
   CHECK(result.positions.bottomRows(1) == mesh.positions.bottomRows(1));
 }

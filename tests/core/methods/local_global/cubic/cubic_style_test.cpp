@@ -43,12 +43,12 @@ void configure(Session& session, const Style& style) {
   REQUIRE(session.set("maxIterations", encoded(style.maxIterations)).ok());
 }
 
-StyledRun run(const TriangleMesh& mesh, const Style& style) {
+Run run(const TriangleMesh& mesh, const Style& style) {
   Session session;
   REQUIRE(session.load(mesh).ok());
   configure(session, style);
   REQUIRE(session.prepare().ok());
-  return finish(session, mesh.vertexCount());
+  return finish(session);
 }
 
 /// x y z w of a rotation, of some other length.
@@ -130,7 +130,7 @@ TEST_CASE("frames of one orientation are that orientation, to the bit; so are fr
   const TriangleMesh mesh = bent(sphere(3));
   Style style;
   style.orientation = quaternionOf(someRotation());
-  const StyledRun whole = run(mesh, style);
+  const Run whole = run(mesh, style);
   style.frames = Scalars::Zero(4 * mesh.vertexCount());
   CHECK(run(mesh, style).positions == whole.positions);
   style.frames = style.orientation.replicate(mesh.vertexCount(), 1);
@@ -165,7 +165,7 @@ TEST_CASE("weights of 1, no turn and B = I are the default, to the bit") {
   REQUIRE(session.set("tolerance", encoded(0)).ok());
   REQUIRE(session.set("maxIterations", encoded(40)).ok());
   REQUIRE(session.prepare().ok());
-  const StyledRun plain = finish(session, mesh.vertexCount());
+  const Run plain = finish(session);
   Style style;
   CHECK(run(mesh, style).positions == plain.positions);
   style.orientation = Eigen::Vector4d(0, 0, 0, -3);

@@ -36,7 +36,7 @@ TEST_CASE("with targets that stay, the energy never rises") {
     for (const std::string& regularizer : kAll) {
       for (const double lambda : {0.1, 1.0, 8.0}) {
         for (const char* acceleration : {"nesterov", "none"}) {
-          const StyledRun result = run(mesh, {octahedronStyle(), lambda, regularizer, false, 1e-4, 120, acceleration});
+          const Run result = run(mesh, {octahedronStyle(), lambda, regularizer, false, 1e-4, 120, acceleration});
           CHECK(result.positions.allFinite());
           requireMonotone(result.energies);
         }
@@ -49,7 +49,7 @@ TEST_CASE("a sphere in the style of a cube is a cube") {
   const TriangleMesh mesh = sphere(4);
   const GaussMap cube(cubeStyle());
   for (const std::string& regularizer : kAll) {
-    const StyledRun result = run(mesh, {cubeStyle(), 4, regularizer, false, 1e-4, 1000});
+    const Run result = run(mesh, {cubeStyle(), 4, regularizer, false, 1e-4, 1000});
     CHECK(angleToStyle(result.positions, mesh.triangles, cube) < 8.5);
     // How much of its box it fills: a sphere 0.52.
     double sixfold = 0;
@@ -71,7 +71,7 @@ TEST_CASE("normals come closer to the style, the more the higher lambda is") {
       for (const std::string& regularizer : kAll) {
         double last = angleToStyle(mesh.positions, mesh.triangles, style);
         for (const double lambda : {0.2, 2.0}) {
-          const StyledRun result = run(mesh, {data, lambda, regularizer});
+          const Run result = run(mesh, {data, lambda, regularizer});
           const double angle = angleToStyle(result.positions, mesh.triangles, style);
           CHECK(angle < last + 0.5);  // vertex rotations have had enough sooner than face rotations
           last = angle;
@@ -153,8 +153,8 @@ TEST_CASE("targets that follow the output are other targets") {
   const TriangleMesh mesh = bent(sphere(3));
   const GaussMap style(octahedronStyle());
   for (const std::string& regularizer : kAll) {
-    const StyledRun fixed = run(mesh, {octahedronStyle(), 2, regularizer}),
-                    dynamic = run(mesh, {octahedronStyle(), 2, regularizer, true});
+    const Run fixed = run(mesh, {octahedronStyle(), 2, regularizer}),
+              dynamic = run(mesh, {octahedronStyle(), 2, regularizer, true});
     CHECK(largestMove(fixed.positions, dynamic.positions) > 1e-3);
     CHECK(dynamic.positions.allFinite());
     CHECK(angleToStyle(dynamic.positions, mesh.triangles, style) < angleToStyle(mesh.positions, mesh.triangles, style));
@@ -170,11 +170,11 @@ TEST_CASE("handles are met and lambda acts where it is") {
   for (Index v = 0; v < mesh.vertexCount(); ++v) upper[v] = mesh.positions(v, 2) > 0.2 ? 3 : 0;
   const GaussMap cube(cubeStyle());
   for (const std::string& regularizer : kAll) {
-    const StyledRun held = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, "nesterov", handles});
+    const Run held = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, "nesterov", handles});
     for (int h = 0; h < 3; ++h) CHECK((held.positions.row(handles.vertices[h]) - handles.targets.row(h)).norm() < 1e-9);
     requireMonotone(held.energies);
 
-    const StyledRun half = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, "nesterov", {}, upper});
+    const Run half = run(mesh, {cubeStyle(), 1, regularizer, false, 3e-3, 300, "nesterov", {}, upper});
     const auto angles = [&](const Points& positions, bool isUpper) {
       Triangles some(0, 3);
       for (Index f = 0; f < mesh.faceCount(); ++f) {
@@ -201,7 +201,7 @@ TEST_CASE("vertices without a normal have no target") {
   mesh.triangles.row(faces + 2) << 0, 0, 1;
   for (const std::string& regularizer : kAll) {
     for (const bool isDynamic : {false, true}) {
-      const StyledRun result = run(mesh, {octahedronStyle(), 2, regularizer, isDynamic});
+      const Run result = run(mesh, {octahedronStyle(), 2, regularizer, isDynamic});
       CHECK(result.positions.allFinite());
       CHECK(result.positions.bottomRows<1>() == mesh.positions.bottomRows<1>());
     }

@@ -33,11 +33,11 @@ void prepareCreased(Session& session, const Creased& creased) {
   REQUIRE(session.prepare().ok());
 }
 
-StyledRun crease(const TriangleMesh& mesh, const Creased& creased) {
+Run crease(const TriangleMesh& mesh, const Creased& creased) {
   Session session;
   REQUIRE(session.load(mesh).ok());
   prepareCreased(session, creased);
-  return finish(session, mesh.vertexCount());
+  return finish(session);
 }
 
 double largestMove(const Points& a, const Points& b) { return (a - b).rowwise().norm().maxCoeff(); }
@@ -131,7 +131,7 @@ TEST_CASE("curvature leaves most of the surface and gathers on creases") {
     const Scalars before = angleDefects(mesh.positions, mesh.triangles).cwiseAbs();
     const double small = 0.2 * before.mean();
     const Spread was = spread(mesh.positions, mesh.triangles, small);
-    const StyledRun result = crease(mesh, Creased());
+    const Run result = crease(mesh, Creased());
     const Spread is = spread(result.positions, mesh.triangles, small);
     MESSAGE(name << ": without curvature " << was.flat << " → " << is.flat << ", on its twentieth " << was.top << " → "
                  << is.top);
@@ -182,11 +182,11 @@ TEST_CASE("turning the mesh turns its creases, another order of vertices is anot
 TEST_CASE("it runs for as many iterations as it is told, however the energy goes") {
   const TriangleMesh mesh = animal(2);
   for (const int count : {1, 30, 260}) {
-    const StyledRun result = crease(mesh, {20, 0.5, count});
+    const Run result = crease(mesh, {20, 0.5, count});
     CHECK(result.outcome == Outcome::iterationLimit);
     CHECK(static_cast<int>(result.energies.size()) == count);
   }
-  const StyledRun still = crease(grid(5), {20, 1, 50});
+  const Run still = crease(grid(5), {20, 1, 50});
   CHECK(still.outcome == Outcome::converged);
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("faces without area and rings without faces are no trouble") {
   mesh.triangles.row(faces) << count, count + 1, count + 2;
   mesh.triangles.row(faces + 1) << count, count + 2, count + 1;
   mesh.triangles.row(faces + 2) << 0, 0, 1;
-  const StyledRun result = crease(mesh, Creased());
+  const Run result = crease(mesh, Creased());
   CHECK(result.positions.allFinite());
   CHECK(result.positions.bottomRows<1>() == mesh.positions.bottomRows<1>());
 }
