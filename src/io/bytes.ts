@@ -1,5 +1,10 @@
 /** Small questions about the bytes of a text file. */
 
+/** Whether a text begins with the mark of UTF-8. */
+export function hasByteOrderMark(bytes: Uint8Array): boolean {
+  return bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
+}
+
 /** Length of the line end at `at`: 2 for CR LF, 1 for LF or CR, else 0. */
 export function lineEndLength(bytes: Uint8Array, at: number): number {
   const c = bytes[at];

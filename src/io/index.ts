@@ -5,6 +5,7 @@ import { fitsFloat32, unfitPosition } from './fit.ts';
 import { type Format, formats, isFormat } from './formats.ts';
 import { handlers } from './handlers.ts';
 import { type EmbeddedImage, type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
+import { withPlaceless } from './placeless.ts';
 import { triangulate } from './polygon.ts';
 import { counted, refusal } from './refuse.ts';
 import { recognise } from './sniff.ts';
@@ -86,8 +87,9 @@ export function writeMesh(
   const bytes = plainBytes(source);
   const parsed = parse(bytes, name);
   checkPositions(parsed.file, format, name, positions);
-  if (parsed.format === format) return parsed.patch(positions);
-  return handlers[format].write(shapeOf(parsed.file, parsed.format, positions));
+  const after = withPlaceless(parsed.file, positions);
+  if (parsed.format === format) return parsed.patch(after);
+  return handlers[format].write(shapeOf(parsed.file, parsed.format, after));
 }
 
 interface Parsed {

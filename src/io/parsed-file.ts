@@ -18,6 +18,8 @@ export interface EmbeddedImage {
 export interface ParsedFile {
   /** #P×3, finite, in the file's order. */
   readonly positions: Float64Array<ArrayBuffer>;
+  /** Vertices for which `positions` stands in, as the file has no numbers there, see `placeless.ts`. */
+  readonly placeless?: readonly number[];
   /** At least one face, each of three corners or more, all indices in range. */
   readonly faces: Faces;
   /** #P×3 linear RGB in [0, 1]. */

@@ -1,10 +1,10 @@
-import { decodeAscii, viewOf } from './bytes.ts';
+import { decodeAscii, hasByteOrderMark } from './bytes.ts';
 import type { Format } from './formats.ts';
 import { fileNameEndings } from './formats.ts';
-import { offKeyword } from './off/scan.ts';
+import { isBareOff, offKeyword } from './off/header.ts';
 import { readPlyHeader } from './ply/header.ts';
 import { refusal } from './refuse.ts';
-import { stlFacet, stlHeader } from './stl/scan-binary.ts';
+import { hasFacetLength, looksLikeFacets } from './stl/facet-count.ts';
 import { TextScanner } from './text-scanner.ts';
 
 /** Files that people drop by mistake, by their first bytes: what they are and what to do. */
@@ -42,16 +42,17 @@ export function recognise(bytes: Uint8Array, name: string): Format {
   const stranger = strangers.find(([magic]) => magic.every((byte, i) => bytes[i] === byte));
   if (stranger) throw refusal('unsupported-file', name, '', `${stranger[1]}.`);
   if (decodeAscii(bytes, 0, 4) === 'glTF') return 'glb';
-  if (/^ply\s/.test(decodeAscii(bytes, 0, 4))) {
+  const begin = hasByteOrderMark(bytes) ? 3 : 0;
+  if (/^ply\s/i.test(decodeAscii(bytes, begin, begin + 4))) {
     return readPlyHeader(bytes, name).encoding === 'ascii' ? 'ply-ascii' : 'ply-binary';
   }
   // Before text: a binary STL may begin with "solid", but no text happens to have its exact length.
-  if (hasStlLength(bytes)) return 'stl-binary';
+  if (hasFacetLength(bytes)) return 'stl-binary';
   if (isText(bytes)) return recogniseText(bytes, name);
   if (looksLikeUtf16(bytes)) {
     throw refusal('unsupported-file', name, '', 'its text is in UTF-16; save it as UTF-8.');
   }
-  if (looksLikeStl(bytes)) return 'stl-binary';
+  if (looksLikeFacets(bytes)) return 'stl-binary';
   throw unknown(name, 'it is no mesh file that is known here');
 }
 
@@ -73,10 +74,11 @@ function recogniseText(bytes: Uint8Array, name: string): Format {
   }
   const start = scanner.at;
   const word = scanner.word();
-  if (word.toLowerCase() === 'solid') return 'stl-ascii';
-  if (offKeyword.test(word)) return 'off';
+  if (/^(solid|facet$)/i.test(word)) return 'stl-ascii';
+  if (offKeyword(word)) return 'off';
   scanner.at = start;
   if (hasObjStatement(scanner)) return 'obj';
+  if (isBareOff(bytes)) return 'off';
   throw unknown(name, 'it is text, but no mesh file that is known here');
 }
 
@@ -96,12 +98,23 @@ function unknown(name: string, why: string): Error {
   return refusal('unknown-format', name, '', `${why}. Use one of ${fileNameEndings.join(', ')}.`);
 }
 
+/**
+ * Whether the beginning is text: next to no control characters. Zeros in comments do not count (some programs write their name
+ * there from a buffer of fixed length), nor those at the end of the file.
+ */
 function isText(bytes: Uint8Array): boolean {
-  for (let at = 0; at < Math.min(probe, bytes.length); at++) {
+  let end = bytes.length;
+  while (end > 0 && bytes[end - 1] === 0) end--;
+  end = Math.min(probe, end);
+  let strange = 0;
+  let inComment = false;
+  for (let at = 0; at < end; at++) {
     const c = bytes[at];
-    if (c < 9 || (c > 13 && c < 32 && c !== 26 && c !== 27)) return false;
+    if (c === 10 || c === 13) inComment = false;
+    else if (c === 35) inComment ||= at === 0 || bytes[at - 1] <= 32;
+    else if (c === 0 ? !inComment : c < 9 || (c > 13 && c < 32 && c !== 26 && c !== 27)) strange++;
   }
-  return true;
+  return strange <= end / 64;
 }
 
 /** Every other byte is zero. */
@@ -111,20 +124,4 @@ function looksLikeUtf16(bytes: Uint8Array): boolean {
   const zeros = [0, 0];
   for (let at = 0; at < length; at++) if (bytes[at] === 0) zeros[at & 1]++;
   return Math.max(...zeros) > 0.45 * length && Math.min(...zeros) < 0.05 * length;
-}
-
-function stlCount(bytes: Uint8Array): number {
-  return viewOf(bytes).getUint32(80, true);
-}
-
-function hasStlLength(bytes: Uint8Array): boolean {
-  return bytes.length >= stlHeader && bytes.length === stlHeader + stlFacet * stlCount(bytes);
-}
-
-/** Not the promised length, but a header of text (then a cut-off file gets the right sentence). */
-function looksLikeStl(bytes: Uint8Array): boolean {
-  if (bytes.length < stlHeader) return false;
-  let textual = 0;
-  for (let at = 0; at < 80; at++) if (bytes[at] === 0 || (bytes[at] >= 32 && bytes[at] < 127)) textual++;
-  return textual >= 70;
 }

@@ -1,5 +1,5 @@
 import type { WhittleError } from '../mesh/failure.ts';
-import { decodeAscii, isTokenEnd, lineEndLength, tokenEnd } from './bytes.ts';
+import { decodeAscii, hasByteOrderMark, isTokenEnd, lineEndLength, tokenEnd } from './bytes.ts';
 import { quote, refusal } from './refuse.ts';
 
 const lf = 10;
@@ -12,6 +12,8 @@ const backslash = 92;
 const exactPowers = Float64Array.from({ length: 23 }, (_, exponent) => Number(`1e${exponent}`));
 /** Below this, ten times it plus a digit is at most 2^53. */
 const largestMantissa = 900719925474098;
+/** How programs spell what is not a number, or is infinite: "nan", "-nan(ind)", "1.#QNAN", "inf". */
+const notFiniteWord = /^[+-]?(nan|inf|1\.#)/i;
 
 /**
  * Walks over the bytes of a text file: blanks, numbers, lines. Readers and patchers use the same walk, so they cannot
@@ -26,8 +28,7 @@ export class TextScanner {
   constructor(bytes: Uint8Array, name: string, at = 0) {
     this.bytes = bytes;
     this.name = name;
-    const hasMark = at === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
-    this.at = hasMark ? 3 : at;
+    this.at = at === 0 && hasByteOrderMark(bytes) ? 3 : at;
   }
 
   get done(): boolean {
@@ -90,6 +91,18 @@ export class TextScanner {
   number(what: string): number {
     this.peek();
     return this.#number(what);
+  }
+
+  /** The number after the blanks of this line, NaN and infinite ones included. @throws malformed-file, truncated-file */
+  anyNumberInLine(what: string): number {
+    this.peekInLine();
+    return this.#anyNumber(what);
+  }
+
+  /** The next number, on this line or a later one, NaN and infinite ones included. @throws malformed-file, truncated-file */
+  anyNumber(what: string): number {
+    this.peek();
+    return this.#anyNumber(what);
   }
 
   /**
@@ -185,13 +198,36 @@ export class TextScanner {
         ? refusal('truncated-file', this.name, place, `the file ends before ${what}; get it again in full.`)
         : refusal('malformed-file', this.name, place, `the line ends before ${what}; export it again.`);
     }
-    if (/^[+-]?(nan|inf|1\.#|[0-9.]+e\+?[0-9]+$)/i.test(text)) {
+    if (notFiniteWord.test(text) || /^[+-]?[0-9.]+e\+?[0-9]+$/i.test(text)) {
       const sentence = `${what} is ${quote(text)}; replace it by a finite number.`;
       return refusal('not-finite', this.name, place, sentence);
     }
     const comma = /^[+-]?\d+,\d+$/.test(text);
     const advice = comma ? 'write decimals with a point' : 'export the file again';
     return refusal('malformed-file', this.name, place, `${what} is ${quote(text)}, not a number; ${advice}.`);
+  }
+
+  /** Why the three numbers behind a byte are no place: the first of them that is not finite. */
+  badPosition(offset: number, of: string): WhittleError {
+    this.at = offset;
+    for (const axis of ['x', 'y', 'z']) {
+      this.peek();
+      const start = this.at;
+      const value = this.decimal();
+      if (value - value === 0) continue;
+      this.at = start;
+      return this.badNumber(`the ${axis} of ${of}`);
+    }
+    return this.badNumber(of);
+  }
+
+  #anyNumber(what: string): number {
+    const value = this.decimal();
+    if (!Number.isNaN(value)) return value;
+    const { at } = this;
+    if (notFiniteWord.test(this.word())) return value;
+    this.at = at;
+    throw this.badNumber(what);
   }
 
   #number(what: string): number {

@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { readMesh, writeMesh } from '../../src/io/index.ts';
+import { type Format, readMesh, writeMesh } from '../../src/io/index.ts';
 import { failureCodes, WhittleError } from '../../src/mesh/failure.ts';
+import type { Mesh } from '../../src/mesh/mesh.ts';
 import { allCubes, ascii } from '../fixtures/tiny-files.ts';
 
 /** One damage to a file: bytes changed, cut, doubled, or put in. */
@@ -44,6 +45,13 @@ function apply(bytes: Uint8Array, { kind, at, length, byte }: Damage): Uint8Arra
   }
 }
 
+/** The very bytes; but the count of a binary STL is right in what is given back. */
+function asGivenBack(bytes: Uint8Array, format: Format, { triangles }: Mesh): Uint8Array {
+  const result = new Uint8Array(bytes);
+  if (format === 'stl-binary') new DataView(result.buffer).setUint32(80, triangles.length / 3, true);
+  return result;
+}
+
 /** A mesh that is whole, or an error of ours; and in the first case the file can be given back. */
 function readsOrRefuses(bytes: Uint8Array): void {
   const before = process.cpuUsage();
@@ -56,7 +64,7 @@ function readsOrRefuses(bytes: Uint8Array): void {
     expect(mesh.positions.every(Number.isFinite)).toBe(true);
     expect(mesh.colors?.every((value) => value >= 0 && value <= 1) ?? true).toBe(true);
     expect(mesh.colors?.length ?? mesh.positions.length).toBe(mesh.positions.length);
-    expect(writeMesh(bytes, 'fuzz', format, mesh.positions)).toEqual(new Uint8Array(bytes));
+    expect(writeMesh(bytes, 'fuzz', format, mesh.positions)).toEqual(asGivenBack(bytes, format, mesh));
     const moved = mesh.positions.map((value) => Math.fround(value / 2 + 1));
     const again = readMesh(writeMesh(bytes, 'fuzz', format, moved), 'again');
     expect(again.format).toBe(format);

@@ -1,4 +1,4 @@
-import { viewOf } from '../bytes.ts';
+import { hasByteOrderMark, viewOf } from '../bytes.ts';
 import { counted, quote, refusal } from '../refuse.ts';
 import { decodeBase64 } from './base64.ts';
 
@@ -183,8 +183,4 @@ export class GltfDocument {
     if (!json) throw this.malformed(`byte ${glbHeader}`, 'the first chunk is not JSON');
     return bin ? { json, bin } : { json };
   }
-}
-
-function hasByteOrderMark(bytes: Uint8Array): boolean {
-  return bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
 }

@@ -1,5 +1,6 @@
 import { FloatList, IndexList } from '../lists.ts';
 import { none, type ParsedFile, triangleFaces } from '../parsed-file.ts';
+import { settlePlaceless } from '../placeless.ts';
 import { counted, refusal } from '../refuse.ts';
 import { Accessor } from './accessor.ts';
 import { GltfDocument, type Json } from './document.ts';
@@ -75,16 +76,18 @@ class GltfScan {
       throw refusal('no-faces', this.#document.name, '', sentence);
     }
     const positions = this.#positions.take();
+    const { placeless, warnings } = settlePlaceless(positions, corners, (p) => this.#notFinite(p, positions));
     const colors = this.#colors.length > 0 ? { colors: this.#finishColors(positions.length) } : {};
     const normalMap = this.#normalMap.found();
     return {
       document: this.#document,
       positions,
+      ...(placeless ? { placeless } : {}),
       faces: triangleFaces(corners),
       ...colors,
       ...this.#finishUvs(corners.length),
       ...(normalMap ? { normalMap } : {}),
-      warnings: this.#finishWarnings(),
+      warnings: [...this.#finishWarnings(), ...warnings],
       parts: [...this.#parts.values()],
       normalParts: [...this.#normalParts.values()],
       normals: this.#normals.take(),
@@ -178,12 +181,16 @@ class GltfScan {
       apply3(linear, local[i], local[i + 1], local[i + 2], world, 0);
       for (let axis = 0; axis < 3; axis++) {
         world[axis] += toWorld[12 + axis];
-        if (Number.isFinite(world[axis])) continue;
-        const sentence = `vertex ${i / 3} ends up at the coordinate ${world[axis]}; repair the mesh and export it again.`;
-        throw refusal('not-finite', this.#document.name, `accessor ${accessor.index}`, sentence, i / 3);
       }
       this.#positions.push3(world[0], world[1], world[2]);
     }
+  }
+
+  #notFinite(p: number, positions: Float64Array): Error {
+    const { accessor, first } = [...this.#parts.values()].findLast((part) => part.first <= p)!;
+    const value = positions.subarray(3 * p, 3 * p + 3).find((x) => !Number.isFinite(x));
+    const sentence = `vertex ${p - first} ends up at the coordinate ${value}; repair the mesh and export it again.`;
+    return refusal('not-finite', this.#document.name, `accessor ${accessor.index}`, sentence, p - first);
   }
 
   /** Texture coordinates of the primitive's vertices, #V×2, v downward as glTF has it. */

@@ -3,6 +3,7 @@ import { linearColors } from '../color.ts';
 import { FaceCollector } from '../faces.ts';
 import { FloatList, IndexList } from '../lists.ts';
 import { none, type ParsedFile } from '../parsed-file.ts';
+import { settlePlaceless } from '../placeless.ts';
 import { quote, refusal } from '../refuse.ts';
 import { TextScanner } from '../text-scanner.ts';
 
@@ -75,9 +76,9 @@ class ObjScan {
   #vertex(): void {
     const scanner = this.#scanner;
     this.#positionOffsets.push(scanner.at);
-    const x = scanner.numberInLine('the x of the vertex');
-    const y = scanner.numberInLine('the y of the vertex');
-    this.#positions.push3(x, y, scanner.numberInLine('the z of the vertex'));
+    const x = scanner.anyNumberInLine('the x of the vertex');
+    const y = scanner.anyNumberInLine('the y of the vertex');
+    this.#positions.push3(x, y, scanner.anyNumberInLine('the z of the vertex'));
     if (scanner.peekInLine() !== lf) this.#colorBehind();
   }
 
@@ -189,6 +190,10 @@ class ObjScan {
     const describe = (offset: number) => scanner.placeAt(offset);
     const positions = this.#positions.take();
     const faces = this.#faces.finish(scanner.name, positions.length / 3, describe, 1);
+    const positionOffsets = this.#positionOffsets.take();
+    const { placeless, warnings } = settlePlaceless(positions, faces.corners, (p) =>
+      scanner.badPosition(positionOffsets[p], 'the vertex'),
+    );
     const hasNormals = this.#normalOfCorner.length > 0;
     if (hasNormals) this.#normalOfCorner.padTo(faces.corners.length, none);
     const normalOfCorner = this.#normalOfCorner.take();
@@ -198,11 +203,12 @@ class ObjScan {
     }
     return {
       positions,
+      ...(placeless ? { placeless } : {}),
       faces,
       ...this.#finishColors(positions.length),
       ...this.#finishUvs(faces.corners.length),
-      warnings: this.#faces.warnings(describe),
-      positionOffsets: this.#positionOffsets.take(),
+      warnings: [...this.#faces.warnings(describe), ...warnings],
+      positionOffsets,
       normals: this.#normals.take(),
       normalOffsets: this.#normalOffsets.take(),
       normalOfCorner,

@@ -2,8 +2,10 @@ import { linearColors } from '../color.ts';
 import { FaceCollector } from '../faces.ts';
 import { FloatList, IndexList, uvsOfCorners } from '../lists.ts';
 import type { ParsedFile } from '../parsed-file.ts';
-import { counted, quote, refusal } from '../refuse.ts';
+import { settlePlaceless } from '../placeless.ts';
+import { counted, refusal } from '../refuse.ts';
 import { TextScanner } from '../text-scanner.ts';
+import { offKeyword, refuseOffKind } from './header.ts';
 
 /** An OFF file and where its numbers stand. */
 export interface OffFile extends ParsedFile {
@@ -15,11 +17,12 @@ export interface OffFile extends ParsedFile {
 
 const lf = 10;
 
-/** Matches the first word of an OFF file: texture coordinates, colours, normals, four dimensions, any dimensions. */
-export const offKeyword = /^(ST)?(C)?(N)?(4)?(n)?OFF$/;
-
 /**
- * Reads OFF, COFF, NOFF, STOFF and their combinations, in text.
+ * Reads OFF, COFF, NOFF, STOFF and their combinations, in text. The keyword may be in small letters, be glued to the number of
+ * vertices, or be missing.
+ *
+ * A line holds one vertex or one face, and what stands behind it on the line (a colour) says nothing of the shape; only a file
+ * with fewer lines than vertices and faces has several of them on a line.
  *
  * @throws no-faces, index-out-of-range, malformed-file, truncated-file, not-finite, unsupported-file
  */
@@ -38,6 +41,8 @@ class OffScan {
   #hasUvs = false;
   #hasColors = false;
   #hasNormals = false;
+  /** Several vertices or faces stand on a line. */
+  #isPacked = false;
 
   constructor(bytes: Uint8Array, name: string) {
     this.#scanner = new TextScanner(bytes, name);
@@ -48,20 +53,33 @@ class OffScan {
     this.#keyword();
     const vertices = this.#count('vertices');
     const faces = this.#count('faces');
-    scanner.nextLine(); // the number of edges, if it is there
+    if (scanner.peekInLine() !== lf) scanner.skipWord(); // the number of edges
     this.#checkCounts(vertices, faces);
+    const two = 2 * this.#numbersOfVertex();
+    this.#isPacked = isPacked(scanner, vertices, vertices + faces, ({ length }) => length >= two);
     for (let v = 0; v < vertices; v++) this.#vertex(v);
+    this.#isPacked = isPacked(scanner, faces, faces, hasTwoFaces);
     for (let f = 0; f < faces; f++) this.#face(f);
-    const positions = this.#positions.take();
+    return this.#finish(vertices);
+  }
+
+  #finish(vertices: number): OffFile {
+    const scanner = this.#scanner;
     const describe = (offset: number) => scanner.placeAt(offset);
-    const meshFaces = this.#faces.finish(scanner.name, vertices, describe, 0);
+    const faces = this.#faces.finish(scanner.name, vertices, describe, 0);
+    const positions = this.#positions.take();
+    const positionOffsets = this.#offsets.take();
+    const { placeless, warnings } = settlePlaceless(positions, faces.corners, (v) =>
+      scanner.badPosition(positionOffsets[v], `vertex ${v}`),
+    );
     return {
       positions,
-      faces: meshFaces,
+      ...(placeless ? { placeless } : {}),
+      faces,
       ...(this.#hasColors ? { colors: linearColors(this.#colors.take()) } : {}),
-      ...(this.#hasUvs ? { uvs: uvsOfCorners(this.#uvs.take(), meshFaces.corners) } : {}),
-      warnings: this.#faces.warnings(describe),
-      positionOffsets: this.#offsets.take(),
+      ...(this.#hasUvs ? { uvs: uvsOfCorners(this.#uvs.take(), faces.corners) } : {}),
+      warnings: [...this.#faces.warnings(describe), ...warnings],
+      positionOffsets,
       normals: this.#normals.take(),
     };
   }
@@ -69,35 +87,30 @@ class OffScan {
   #keyword(): void {
     const scanner = this.#scanner;
     scanner.peek();
-    const place = scanner.placeAt(scanner.at);
-    const word = scanner.word();
-    const found = offKeyword.exec(word);
-    if (!found) {
-      throw refusal(
-        'malformed-file',
-        scanner.name,
-        place,
-        `${quote(word)} is not an OFF header; export it again.`,
-      );
+    const { at } = scanner;
+    const found = offKeyword(scanner.word());
+    // Without a keyword the counts come first; there are three coordinates then.
+    scanner.at = at + (found?.length ?? 0);
+    if (!found) return;
+    this.#hasUvs = found.hasUvs;
+    this.#hasColors = found.hasColors;
+    this.#hasNormals = found.hasNormals;
+    const place = scanner.placeAt(at);
+    if (scanner.peekInLine() !== lf && this.#sees('BINARY')) {
+      throw refuseOffKind('binary OFF', scanner.name, place);
     }
-    const [, uvs, colors, normals, four, any] = found;
-    this.#hasUvs = uvs !== undefined;
-    this.#hasColors = colors !== undefined;
-    this.#hasNormals = normals !== undefined;
-    const isBinary = scanner.peekInLine() !== lf && this.#sees('BINARY');
-    if (four === undefined && any === undefined && !isBinary) return;
-    const kind = isBinary ? 'binary OFF' : 'OFF in other than three dimensions';
-    throw refusal(
-      'unsupported-file',
-      scanner.name,
-      place,
-      `${kind} is not read; export plain OFF, OBJ or PLY.`,
-    );
+    if (found.hasOtherDimensions) {
+      throw refuseOffKind('OFF in other than three dimensions', scanner.name, place);
+    }
+  }
+
+  #numbersOfVertex(): number {
+    return 3 + (this.#hasNormals ? 3 : 0) + (this.#hasColors ? 4 : 0) + (this.#hasUvs ? 2 : 0);
   }
 
   #sees(word: string): boolean {
     const start = this.#scanner.at;
-    const found = this.#scanner.word() === word;
+    const found = this.#scanner.word().toUpperCase() === word;
     this.#scanner.at = start;
     return found;
   }
@@ -125,30 +138,41 @@ class OffScan {
     const scanner = this.#scanner;
     scanner.peek();
     this.#offsets.push(scanner.at);
-    const x = scanner.number(`the x of vertex ${v}`);
-    const y = scanner.number(`the y of vertex ${v}`);
-    this.#positions.push3(x, y, scanner.number(`the z of vertex ${v}`));
-    if (this.#hasNormals) {
-      const nx = scanner.number(`the normal of vertex ${v}`);
-      const ny = scanner.number(`the normal of vertex ${v}`);
-      this.#normals.push3(nx, ny, scanner.number(`the normal of vertex ${v}`));
-    }
-    if (this.#hasColors) {
-      for (let i = 0; i < 3; i++)
-        this.#colors.push(scanner.peekInLine() === lf ? Number.NaN : scanner.decimal());
+    this.#three(this.#positions, `vertex ${v}`);
+    if (this.#hasNormals) this.#three(this.#normals, `the normal of vertex ${v}`);
+    if (this.#hasColors) for (let i = 0; i < 3; i++) this.#colors.push(this.#number());
+    if (this.#isPacked) {
+      if (this.#hasColors) this.#number(); // opacity
+      if (this.#hasUvs) this.#uvs.push2(this.#number(), this.#number());
+      return;
     }
     if (this.#hasUvs) this.#lastTwo();
     scanner.nextLine();
   }
 
+  /** Three numbers, finite or not: it depends on who uses them. */
+  #three(into: FloatList, of: string): void {
+    const scanner = this.#scanner;
+    const x = scanner.anyNumber(`the x of ${of}`);
+    const y = scanner.anyNumber(`the y of ${of}`);
+    into.push3(x, y, scanner.anyNumber(`the z of ${of}`));
+  }
+
+  /** A number of this line; NaN if it is none or not there. */
+  #number(): number {
+    const scanner = this.#scanner;
+    if (scanner.peekInLine() === lf) return Number.NaN;
+    const value = scanner.decimal();
+    if (Number.isNaN(value)) scanner.skipWord();
+    return value;
+  }
+
   /** Texture coordinates end the line; how many numbers a colour takes before them is not fixed. */
   #lastTwo(): void {
-    const scanner = this.#scanner;
     let [u, v] = [Number.NaN, Number.NaN];
-    while (scanner.peekInLine() !== lf) {
+    while (this.#scanner.peekInLine() !== lf) {
       u = v;
-      v = scanner.decimal();
-      if (Number.isNaN(v)) break;
+      v = this.#number();
     }
     this.#uvs.push2(u, v);
   }
@@ -164,7 +188,7 @@ class OffScan {
     }
     for (let c = 0; c < count; c++) this.#faces.corner(this.#corner(f));
     this.#faces.end(start);
-    scanner.nextLine(); // a colour may follow
+    if (!this.#isPacked) scanner.nextLine(); // a colour may follow
   }
 
   #corner(f: number): number {
@@ -176,4 +200,42 @@ class OffScan {
     const sentence = `face ${f} uses vertex ${index}, but OFF counts vertices from 0; export it again.`;
     throw refusal('index-out-of-range', scanner.name, scanner.placeAt(start), sentence, f);
   }
+}
+
+/**
+ * Whether several rows stand on a line: there are fewer lines than rows, and not because the file was cut off, as one line has
+ * room for two.
+ *
+ * @param first how many rows the block has that comes next
+ * @param rows how many there are to the end of the file
+ * @param hasTwo whether a line of the block holds two rows, by its numbers
+ */
+function isPacked(
+  here: TextScanner,
+  first: number,
+  rows: number,
+  hasTwo: (numbers: readonly number[]) => boolean,
+): boolean {
+  const scanner = new TextScanner(here.bytes, here.name, here.at);
+  let found = false;
+  let lines = 0;
+  for (; lines < rows && scanner.peek() >= 0; lines++, scanner.nextLine())
+    if (lines < first && !found) found = hasTwo(numbersOfLine(scanner));
+  return lines < rows && found;
+}
+
+/** Whether the numbers behind a face are a face again, and not its colour. */
+function hasTwoFaces(numbers: readonly number[]): boolean {
+  const next = numbers[0] + 1;
+  return numbers[next] >= 3 && numbers.length > next + numbers[next];
+}
+
+function numbersOfLine(scanner: TextScanner): number[] {
+  const numbers: number[] = [];
+  while (scanner.peekInLine() !== lf) {
+    const { at } = scanner;
+    numbers.push(scanner.decimal());
+    if (scanner.at === at) scanner.skipWord();
+  }
+  return numbers;
 }

@@ -1,5 +1,5 @@
-import { decodeAscii, lineEndLength } from '../bytes.ts';
-import { quote, refusal } from '../refuse.ts';
+import { decodeAscii, hasByteOrderMark, lineEndLength } from '../bytes.ts';
+import { counted, quote, refusal } from '../refuse.ts';
 
 /** Kinds of number, each under its two names. */
 const kinds = {
@@ -45,6 +45,8 @@ export interface PlyHeader {
   readonly elements: readonly PlyElement[];
   /** Byte at which the data begins. */
   readonly bodyStart: number;
+  /** A sentence about lines that were skipped. */
+  readonly warnings: readonly string[];
 }
 
 const encodings: Readonly<Record<string, PlyHeader['encoding']>> = {
@@ -56,11 +58,16 @@ const encodings: Readonly<Record<string, PlyHeader['encoding']>> = {
 /** No header needs more lines than this. */
 const mostLines = 10000;
 
-/** @throws malformed-file, truncated-file */
+/**
+ * Reads the header. Lines that say nothing about the data (old exporters forget the word `comment`) are skipped.
+ *
+ * @throws malformed-file, truncated-file
+ */
 export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
   const elements: PlyElement[] = [];
+  const strays: string[] = [];
   let encoding: PlyHeader['encoding'] | undefined;
-  let at = 0;
+  let at = hasByteOrderMark(bytes) ? 3 : 0;
   for (let line = 1; line <= mostLines; line++) {
     const end = lineEnd(bytes, at);
     if (end >= bytes.length) break;
@@ -79,9 +86,10 @@ export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
       owner.properties.push(property(words, fail));
     } else if (words[0] === 'end_header') {
       if (!encoding) throw fail('the header names no format');
-      return { encoding, elements, bodyStart: at };
-    } else if (!['ply', 'comment', 'obj_info', ''].includes(words[0])) {
-      throw fail(`${quote(words[0])} does not belong in a PLY header`);
+      return { encoding, elements, bodyStart: at, warnings: skippedLines(strays) };
+    } else if (!['ply', 'comment', 'obj_info', ''].includes(words[0].toLowerCase())) {
+      if (isSpoiled(words)) throw fail(`${quote(words[0])} does not belong in a PLY header`);
+      strays.push(words[0]);
     }
   }
   throw refusal(
@@ -90,6 +98,19 @@ export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
     '',
     'the PLY header has no end_header; the file was cut off. Get it again.',
   );
+}
+
+/** Whether a line has the form of an element or a property: to skip it would be to misread the data. */
+function isSpoiled(words: readonly string[]): boolean {
+  const [, second = '', third = ''] = words;
+  const isProperty = second === 'list' || isNumberKind(second);
+  return isProperty || (words.length === 3 && /^\d+$/.test(third));
+}
+
+function skippedLines(strays: readonly string[]): string[] {
+  if (strays.length === 0) return [];
+  const what = counted(strays.length, 'line');
+  return [`Skipped ${what} of the PLY header that say nothing of the data (the first: ${quote(strays[0])}).`];
 }
 
 function lineEnd(bytes: Uint8Array, from: number): number {
@@ -113,8 +134,10 @@ function property(words: readonly string[], fail: (what: string) => Error): PlyP
 }
 
 function numberKind(word: string | undefined, fail: (what: string) => Error): NumberKind {
-  if (word !== undefined && Object.hasOwn(kinds, word)) return kinds[word as keyof typeof kinds];
-  const kind = Object.values(kinds).find((candidate) => candidate === word);
-  if (!kind) throw fail(`${quote(word ?? '')} is not a PLY number type`);
-  return kind;
+  if (word === undefined || !isNumberKind(word)) throw fail(`${quote(word ?? '')} is not a PLY number type`);
+  return Object.hasOwn(kinds, word) ? kinds[word as keyof typeof kinds] : (word as NumberKind);
+}
+
+function isNumberKind(word: string): boolean {
+  return Object.hasOwn(kinds, word) || Object.values(kinds).some((kind) => kind === word);
 }

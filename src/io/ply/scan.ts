@@ -2,6 +2,7 @@ import { linearFromSrgb } from '../color.ts';
 import { FaceCollector } from '../faces.ts';
 import { FloatList, IndexList, uvsOfCorners } from '../lists.ts';
 import type { ParsedFile } from '../parsed-file.ts';
+import { settlePlaceless } from '../placeless.ts';
 import { counted, refusal } from '../refuse.ts';
 import { type PlyElement, type PlyHeader, type PlyProperty, readPlyHeader } from './header.ts';
 import { PlyBinary, type PlySource, PlyText } from './source.ts';
@@ -85,14 +86,19 @@ class PlyScan {
     const colors = this.#colors.take();
     const describe = (f: number) => `face ${f}`;
     const faces = this.#faces.finish(this.#name, vertex.count, describe, 0);
+    const positions = this.#positions.take();
+    const { placeless, warnings } = settlePlaceless(positions, faces.corners, (v) =>
+      this.#notFinite(v, positions.subarray(3 * v, 3 * v + 3)),
+    );
     return {
       header: this.#header,
       vertex,
-      positions: this.#positions.take(),
+      positions,
+      ...(placeless ? { placeless } : {}),
       faces,
-      ...(colors.length > 0 ? { colors: Float32Array.from(colors, linearFromSrgb) } : {}),
+      ...(colors.length > 0 ? { colors: Float32Array.from(colors, linearOrWhite) } : {}),
       ...this.#finishUvs(faces.corners),
-      warnings: this.#faces.warnings(describe),
+      warnings: [...this.#header.warnings, ...this.#faces.warnings(describe), ...warnings],
       rowOffsets: this.#rowOffsets.take(),
       normals: this.#normals.take(),
     };
@@ -134,9 +140,6 @@ class PlyScan {
         const { kind } = properties[i];
         if (slotOf[i] >= 0) slots[slotOf[i]] = source.next(kind, `the end of vertex ${v}`);
         else this.#skipValue(properties[i]);
-      }
-      for (let axis = 0; axis < 3; axis++) {
-        if (slots[axis] - slots[axis] !== 0) throw this.#notFinite(v, slots[axis]);
       }
       this.#positions.push3(slots[0], slots[1], slots[2]);
       if (hasNormals) this.#normals.push3(slots[3], slots[4], slots[5]);
@@ -244,7 +247,8 @@ class PlyScan {
     return refusal('malformed-file', this.#name, place, `${what}; export the file again.`);
   }
 
-  #notFinite(v: number, value: number): Error {
+  #notFinite(v: number, position: Float64Array): Error {
+    const value = position.find((x) => !Number.isFinite(x));
     const sentence = `a coordinate is ${value}; repair the mesh where you made it and export it again.`;
     return refusal('not-finite', this.#name, `vertex ${v}`, sentence, v);
   }
@@ -257,6 +261,11 @@ function isIndexList({ name, countKind }: PlyProperty): boolean {
 /** Whether a property of faces lists u and v of each corner. */
 function isUvList({ name, countKind }: PlyProperty): boolean {
   return countKind !== undefined && name === 'texcoord';
+}
+
+/** A colour that is no number becomes white, as in every format. */
+function linearOrWhite(srgb: number): number {
+  return Number.isNaN(srgb) ? 1 : linearFromSrgb(srgb);
 }
 
 function plainName(name: string): string {

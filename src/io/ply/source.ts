@@ -7,7 +7,7 @@ import { kindSize, type NumberKind } from './header.ts';
 export interface PlySource {
   /** Byte offset of the next value (in text: of its row, or blanks before it). */
   readonly at: number;
-  /** The next value; may be NaN or infinite in binary files. @throws truncated-file, and in text what a scanner throws */
+  /** The next value; may be NaN or infinite. @throws truncated-file, and in text what a scanner throws */
   next(kind: NumberKind, what: string): number;
   skip(kind: NumberKind, count: number): void;
   /** Fewest bytes that `count` values take. */
@@ -34,7 +34,7 @@ export class PlyText implements PlySource {
   }
 
   next(_kind: NumberKind, what: string): number {
-    return this.#scanner.number(what);
+    return this.#scanner.anyNumber(what);
   }
 
   skip(_kind: NumberKind, count: number): void {

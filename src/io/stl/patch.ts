@@ -1,8 +1,9 @@
 import { viewOf } from '../bytes.ts';
 import { newFaceNormals } from '../normals.ts';
 import { firstThree, normalTexts, positionTexts, TextPatch } from '../text-patch.ts';
+import { stlFacet, stlHeader } from './facet-count.ts';
 import type { StlTextFile } from './scan-ascii.ts';
-import { type StlBinaryFile, stlFacet, stlHeader } from './scan-binary.ts';
+import type { StlBinaryFile } from './scan-binary.ts';
 
 /** Gives an ASCII STL back with other positions; the normals of facets that have moved follow. */
 export function patchStlText(
@@ -24,7 +25,10 @@ export function patchStlText(
   return patch.take();
 }
 
-/** Gives a binary STL back with other positions, rounded to 32 bits; header, attributes and what follows stay. */
+/**
+ * Gives a binary STL back with other positions, rounded to 32 bits; header, attributes and what follows stay. A count of facets
+ * that was wrong is right in the result.
+ */
 export function patchStlBinary(
   source: Uint8Array,
   file: StlBinaryFile,
@@ -32,6 +36,7 @@ export function patchStlBinary(
 ): Uint8Array<ArrayBuffer> {
   const result = new Uint8Array(source);
   const view = viewOf(result);
+  view.setUint32(80, positions.length / 9, true);
   const normals = facetNormals(file, positions);
   for (let f = 0; 9 * f < positions.length; f++) {
     const offset = stlHeader + stlFacet * f;

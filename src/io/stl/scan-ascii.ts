@@ -14,6 +14,8 @@ export interface StlTextFile extends ParsedFile {
   readonly positionOffsets: Uint32Array;
 }
 
+const lf = 10;
+
 /**
  * Reads ASCII STL, one solid or several.
  *
@@ -63,17 +65,26 @@ class StlTextScan {
   #statement(): void {
     const scanner = this.#scanner;
     const start = scanner.at;
-    const word = scanner.word().toLowerCase();
+    const word = this.#keyword();
     if (word === 'vertex') this.#vertex();
     else if (word === 'facet') this.#facet(start);
     else if (word === 'endfacet') this.#endFacet(start);
     else if (word === 'solid' || word === 'endsolid') {
       this.#insideSolid = word === 'solid';
       scanner.nextLine();
-    } else if (word !== 'outer' && word !== 'loop' && word !== 'endloop') {
+    } else if (!['outer', 'loop', 'outerloop', 'endloop'].includes(word)) {
       scanner.at = start;
       throw this.#malformed(start, `there is ${quote(scanner.word())} where STL has a facet or a vertex`);
     }
+  }
+
+  /** The next word in small letters; an `end` that stands apart from what it ends is put before it. */
+  #keyword(): string {
+    const scanner = this.#scanner;
+    let word = scanner.word().toLowerCase();
+    if (word === 'end' && scanner.peekInLine() !== lf) word += scanner.word().toLowerCase();
+    // A name may be glued to it, as in "solid_1".
+    return /^(end)?solid/.exec(word)?.[0] ?? word;
   }
 
   #facet(start: number): void {

@@ -1,16 +1,13 @@
 import { viewOf } from '../bytes.ts';
 import { type ParsedFile, triangleFaces } from '../parsed-file.ts';
 import { counted, refusal } from '../refuse.ts';
+import { countFacets, stlFacet, stlHeader } from './facet-count.ts';
 
 /** A binary STL. Positions are not shared: each corner has its own. */
 export interface StlBinaryFile extends ParsedFile {
   /** #F×3 as the file has them, whatever they are. */
   readonly facetNormals: Float64Array;
 }
-
-/** Header and count, then for each facet a normal, three corners and two bytes of attributes. */
-export const stlHeader = 84;
-export const stlFacet = 50;
 
 /**
  * Reads binary STL.
@@ -19,7 +16,7 @@ export const stlFacet = 50;
  */
 export function scanStlBinary(bytes: Uint8Array, name: string): StlBinaryFile {
   const view = viewOf(bytes);
-  const count = stlFacetCount(bytes, name);
+  const { count, correction } = countFacets(bytes, name);
   const positions = new Float64Array(9 * count);
   const facetNormals = new Float64Array(3 * count);
   for (let f = 0; f < count; f++) {
@@ -35,24 +32,9 @@ export function scanStlBinary(bytes: Uint8Array, name: string): StlBinaryFile {
   const corners = new Uint32Array(3 * count);
   for (let c = 0; c < corners.length; c++) corners[c] = c;
   const extra = bytes.length - stlHeader - stlFacet * count;
-  const warnings = extra > 0 ? [`Ignored ${counted(extra, 'byte')} behind the last facet.`] : [];
+  const warnings = correction === undefined ? [] : [correction];
+  if (extra > 0) warnings.push(`Ignored ${counted(extra, 'byte')} behind the last facet.`);
   return { positions, faces: triangleFaces(corners), warnings, facetNormals };
-}
-
-/** The header's count, once it is known that the file holds as much. */
-function stlFacetCount(bytes: Uint8Array, name: string): number {
-  if (bytes.length < stlHeader) {
-    const sentence = 'the file ends inside its header; it was cut off. Export it again.';
-    throw refusal('truncated-file', name, `byte ${bytes.length}`, sentence);
-  }
-  const count = viewOf(bytes).getUint32(80, true);
-  const held = Math.floor((bytes.length - stlHeader) / stlFacet);
-  if (count > held) {
-    const sentence = `the header promises ${counted(count, 'facet')}, but the file holds only ${held}; it was cut off. Export it again.`;
-    throw refusal('truncated-file', name, `byte ${bytes.length}`, sentence);
-  }
-  if (count === 0) throw refusal('no-faces', name, 'byte 80', 'the file has no facets; export it again.');
-  return count;
 }
 
 function notFinite(name: string, facet: number, value: number): Error {

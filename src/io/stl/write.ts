@@ -2,7 +2,7 @@ import { ByteWriter } from '../byte-writer.ts';
 import { encodeUtf8, viewOf } from '../bytes.ts';
 import type { Shape } from '../parsed-file.ts';
 import { newellVector } from '../polygon.ts';
-import { stlFacet, stlHeader } from './scan-binary.ts';
+import { stlFacet, stlHeader } from './facet-count.ts';
 
 /** A new binary STL, positions rounded to 32 bits. */
 export function writeStlBinary({ positions, triangles }: Shape): Uint8Array<ArrayBuffer> {
