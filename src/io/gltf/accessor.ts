@@ -10,7 +10,7 @@ const componentSizes: Readonly<Record<number, number>> = {
   5125: 4,
   5126: 4,
 };
-const componentCounts: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+const componentCounts: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT4: 16 };
 const float32 = 5126;
 /** Value of 1 for normalised whole numbers. */
 const unitOf: Readonly<Record<number, number>> = { 5120: 127, 5121: 255, 5122: 32767, 5123: 65535 };

@@ -34,6 +34,12 @@ export function linearPart(m: Matrix): number[] {
   return [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
 }
 
+/** Whether a matrix mirrors: its determinant is below 0. */
+export function isMirrored(m: Matrix): boolean {
+  const [a, b, c, d, e, f, g, h, i] = linearPart(m);
+  return a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e) < 0;
+}
+
 /** Inverse of a 3×3 matrix (columns), or undefined if it flattens space. */
 export function invert3(m: readonly number[]): number[] | undefined {
   const [a, b, c, d, e, f, g, h, i] = m;

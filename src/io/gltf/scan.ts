@@ -4,7 +4,15 @@ import { settlePlaceless } from '../placeless.ts';
 import { counted, refusal } from '../refuse.ts';
 import { Accessor } from './accessor.ts';
 import { GltfDocument, type Json } from './document.ts';
-import { apply3, applyTransposed3, invert3, linearPart, type Matrix, sameMatrix } from './matrix.ts';
+import {
+  apply3,
+  applyTransposed3,
+  invert3,
+  isMirrored,
+  linearPart,
+  type Matrix,
+  sameMatrix,
+} from './matrix.ts';
 import { NormalMapSearch } from './normal-map.ts';
 import { type Placement, placements } from './scene.ts';
 
@@ -32,7 +40,8 @@ export interface GltfFile extends ParsedFile {
 }
 
 /**
- * Reads glTF 2 and GLB. Positions are those of the default scene, node transforms applied. A mesh that stands in the
+ * Reads glTF 2 and GLB. Positions are those of the default scene, node transforms applied; where a transform mirrors, triangles
+ * are read the other way round, so that they look outwards. A mesh that stands in the
  * scene several times is taken once, at its first place: it has one set of positions in the file, so its other places
  * follow when it is edited.
  *
@@ -142,11 +151,14 @@ class GltfScan {
       this.#corners.push(part.first + indices[i]);
       this.#normalOfCorner.push(normals ? normals.first + indices[i] : none);
     };
+    const isTurned = isMirrored(toWorld);
     for (let t = 0; t < triangleCount; t++) {
       const turned = mode === 5 ? t & 1 : 0;
+      const second = mode === 4 ? 3 * t + 1 : mode === 5 ? t + 1 - turned : t + 1;
+      const third = mode === 4 ? 3 * t + 2 : t + 2;
       corner(mode === 4 ? 3 * t : mode === 5 ? t + turned : 0);
-      corner(mode === 4 ? 3 * t + 1 : mode === 5 ? t + 1 - turned : t + 1);
-      corner(mode === 4 ? 3 * t + 2 : t + 2);
+      corner(isTurned ? third : second);
+      corner(isTurned ? second : third);
     }
   }
 

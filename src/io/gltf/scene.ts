@@ -1,11 +1,12 @@
 import type { GltfDocument, Json } from './document.ts';
 import { compose, identity, type Matrix, multiply } from './matrix.ts';
+import { Skins } from './skins.ts';
 
 /** A mesh at its place in the scene. */
 export interface Placement {
   /** Index into the document's meshes. */
   readonly mesh: number;
-  /** From the mesh's own frame to the scene's. */
+  /** From the mesh's own frame to the scene's; that of a skinned mesh is its joints', see `skins.ts`. */
   readonly toWorld: Matrix;
   readonly isSkinned: boolean;
   readonly place: string;
@@ -23,8 +24,9 @@ export function placements(document: GltfDocument): Placement[] {
       return { mesh, toWorld: identity, isSkinned: false, place: `mesh ${mesh}` };
     });
   }
-  const found: Placement[] = [];
-  const seen = new Set<unknown>();
+  const found: { mesh: number; node: unknown; skin: unknown; place: string }[] = [];
+  /** From each node's frame to the scene's. */
+  const worlds = new Map<unknown, Matrix>();
   // A stack of its own: a chain of a million nodes must not end the program's.
   const stack = rootNodes(document, nodes).map((node) => ({ node, parent: identity, user: 'scene' }));
   stack.reverse();
@@ -32,18 +34,23 @@ export function placements(document: GltfDocument): Placement[] {
     const { node, parent, user } = top;
     const json = document.element('nodes', node, user);
     const place = `node ${String(node)}`;
-    if (seen.has(node)) throw document.malformed(place, 'it stands in the scene twice, or contains itself');
-    seen.add(node);
+    if (worlds.has(node)) throw document.malformed(place, 'it stands in the scene twice, or contains itself');
     const toWorld = multiply(parent, localMatrix(document, json, place));
+    worlds.set(node, toWorld);
     if (json.mesh !== undefined) {
       document.element('meshes', json.mesh, place);
-      found.push({ mesh: json.mesh as number, toWorld, isSkinned: json.skin !== undefined, place });
+      found.push({ mesh: json.mesh as number, node, skin: json.skin, place });
     }
     const children = document.list(json, 'children');
     for (let i = children.length - 1; i >= 0; i--)
       stack.push({ node: children[i], parent: toWorld, user: place });
   }
-  return found;
+  const used = found.flatMap(({ skin }) => (skin === undefined ? [] : [skin]));
+  const skins = new Skins(document, worlds, used);
+  return found.map(({ mesh, node, skin, place }) => {
+    const isSkinned = skin !== undefined;
+    return { mesh, place, isSkinned, toWorld: isSkinned ? skins.toWorld(skin) : worlds.get(node)! };
+  });
 }
 
 function rootNodes(document: GltfDocument, nodes: readonly unknown[]): unknown[] {
