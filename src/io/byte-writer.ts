@@ -8,6 +8,11 @@ export class ByteWriter {
     this.#data = new Uint8Array(Math.max(64, expected));
   }
 
+  /** How many bytes there are so far. */
+  get length(): number {
+    return this.#length;
+  }
+
   /** Appends `source[from, to)`. */
   copy(source: Uint8Array, from: number, to: number): void {
     if (to <= from) return;

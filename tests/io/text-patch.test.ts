@@ -96,13 +96,32 @@ describe('PLY in text', () => {
     expect(lines).toHaveLength(7);
   });
 
-  it('refuses whole numbers only when they would change', () => {
+  it('turns whole numbers into decimal ones only when they change', () => {
     const source =
-      'ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty int y\nproperty int z\n' +
+      'ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty  uchar y\nproperty int z\n' +
       'element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
     expect(patched(source, 'ply-ascii', {})).toBe(source);
-    expect(() => patched(source, 'ply-ascii', { 0: 0.5 })).toThrow(
-      expect.objectContaining({ code: 'unsupported-file', message: expect.stringContaining('property "x"') }),
+    const header = source
+      .replace('int x', 'float x')
+      .replace('uchar y', 'float y')
+      .replace('int z', 'float z');
+    expect(patched(source, 'ply-ascii', { 0: 0.5 })).toBe(header.replace('\n0 0 0', '\n0.5 0 0'));
+    const large = source.replace('1 0 0', '3000000 0 0');
+    expect(patched(large, 'ply-ascii', { 3: 3000000.25 })).toBe(
+      header.replaceAll('float', 'double').replace('1 0 0', '3000000.25 0 0'),
+    );
+  });
+
+  it('finds positions behind lists of any length', () => {
+    const source =
+      'ply\nformat ascii 1.0\nelement vertex 3\nproperty list uchar int near\nproperty float x\n' +
+      'property list int float w\nproperty float y\nproperty float z\nelement face 1\n' +
+      'property list uchar int vertex_index\nend_header\n2 7 9 0 0 0 0\n0 1 1 5.5 0 0\n1 8 0 2 1 1 1 0\n3 0 1 2\n';
+    expect(patched(source, 'ply-ascii', { 0: 4, 4: 3, 8: 2 })).toBe(
+      source
+        .replace('2 7 9 0 0 0 0', '2 7 9 4 0 0 0')
+        .replace('0 1 1 5.5 0 0', '0 1 1 5.5 3 0')
+        .replace('1 8 0 2 1 1 1 0', '1 8 0 2 1 1 1 2'),
     );
   });
 });

@@ -32,6 +32,8 @@ export interface PlyProperty {
   readonly kind: NumberKind;
   /** How the length of the list is stored, if it is one. */
   readonly countKind?: NumberKind;
+  /** Bytes [begin, end) of the word that says `kind`; of a list, of the word `list`. */
+  readonly kindSpan: readonly [number, number];
 }
 
 export interface PlyElement {
@@ -74,6 +76,7 @@ export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
     const words = decodeAscii(bytes, at, end).trim().split(/\s+/, 6);
     const fail = (what: string) =>
       refusal('malformed-file', name, `line ${line}`, `${what}; export the file again.`);
+    const begin = at;
     at = end + lineEndLength(bytes, end);
     if (words[0] === 'format') {
       encoding = Object.hasOwn(encodings, words[1]) ? encodings[words[1]] : undefined;
@@ -83,7 +86,7 @@ export function readPlyHeader(bytes: Uint8Array, name: string): PlyHeader {
     } else if (words[0] === 'property') {
       const owner = elements.at(-1);
       if (!owner) throw fail('a property stands before the first element');
-      owner.properties.push(property(words, fail));
+      owner.properties.push({ ...property(words, fail), kindSpan: secondWord(bytes, begin, end) });
     } else if (words[0] === 'end_header') {
       if (!encoding) throw fail('the header names no format');
       return { encoding, elements, bodyStart: at, warnings: skippedLines(strays) };
@@ -119,6 +122,13 @@ function lineEnd(bytes: Uint8Array, from: number): number {
   return at;
 }
 
+/** Where the second word of a line stands. */
+function secondWord(bytes: Uint8Array, begin: number, end: number): [number, number] {
+  const [, before, word] = /^(\s*\S+\s+)(\S+)/.exec(decodeAscii(bytes, begin, end))!;
+  const at = begin + before.length;
+  return [at, at + word.length];
+}
+
 function element(words: readonly string[], fail: (what: string) => Error): PlyElement {
   const count = /^\d+$/.test(words[2] ?? '') ? Number(words[2]) : Number.NaN;
   if (!Number.isSafeInteger(count)) {
@@ -127,7 +137,7 @@ function element(words: readonly string[], fail: (what: string) => Error): PlyEl
   return { name: words[1], count, properties: [] };
 }
 
-function property(words: readonly string[], fail: (what: string) => Error): PlyProperty {
+function property(words: readonly string[], fail: (what: string) => Error): Omit<PlyProperty, 'kindSpan'> {
   if (words[1] !== 'list') return { name: words[2] ?? '', kind: numberKind(words[1], fail) };
   const countKind = numberKind(words[2], fail);
   return { name: words[4] ?? '', kind: numberKind(words[3], fail), countKind };

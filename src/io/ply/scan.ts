@@ -13,6 +13,8 @@ export interface PlyFile extends ParsedFile {
   readonly vertex: PlyElement;
   /** #P byte offsets at each vertex. */
   readonly rowOffsets: Uint32Array;
+  /** Byte behind the last vertex. */
+  readonly rowsEnd: number;
   /** #P×3; empty if the file has no normals. */
   readonly normals: Float64Array;
 }
@@ -50,6 +52,7 @@ class PlyScan {
   readonly #cornerUvs = new FloatList();
   readonly #rowOffsets = new IndexList();
   readonly #slots = new Float64Array(slotNames.length);
+  #rowsEnd = 0;
 
   constructor(bytes: Uint8Array, name: string) {
     this.#name = name;
@@ -98,8 +101,14 @@ class PlyScan {
       faces,
       ...(colors.length > 0 ? { colors: Float32Array.from(colors, linearOrWhite) } : {}),
       ...this.#finishUvs(faces.corners),
-      warnings: [...this.#header.warnings, ...this.#faces.warnings(describe), ...warnings],
+      warnings: [
+        ...this.#header.warnings,
+        ...this.#faces.warnings(describe),
+        ...warnings,
+        ...wholeNumberWarning(vertex),
+      ],
       rowOffsets: this.#rowOffsets.take(),
+      rowsEnd: this.#rowsEnd,
       normals: this.#normals.take(),
     };
   }
@@ -146,6 +155,7 @@ class PlyScan {
       if (hasColors) this.#colors.push3(colorScale * slots[6], colorScale * slots[7], colorScale * slots[8]);
       if (hasUvs) this.#vertexUvs.push2(slots[9], slots[10]);
     }
+    this.#rowsEnd = source.at;
   }
 
   #readFaces(element: PlyElement): void {
@@ -252,6 +262,18 @@ class PlyScan {
     const sentence = `a coordinate is ${value}; repair the mesh where you made it and export it again.`;
     return refusal('not-finite', this.#name, `vertex ${v}`, sentence, v);
   }
+}
+
+/** Said when the file is opened, as its header will change. */
+function wholeNumberWarning({ properties }: PlyElement): string[] {
+  const isWhole = properties.some(
+    ({ name, kind }) => plyPosition.includes(name) && !kind.startsWith('float'),
+  );
+  return isWhole
+    ? [
+        'Its positions are stored as whole numbers; in the result they are decimal ones, and the header says so.',
+      ]
+    : [];
 }
 
 function isIndexList({ name, countKind }: PlyProperty): boolean {

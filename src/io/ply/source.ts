@@ -102,7 +102,8 @@ export class PlyBinary implements PlySource {
   }
 }
 
-function getNumber(view: DataView, at: number, kind: NumberKind, little: boolean): number {
+/** A number of a binary file. */
+export function getNumber(view: DataView, at: number, kind: NumberKind, little: boolean): number {
   switch (kind) {
     case 'float32':
       return view.getFloat32(at, little);
