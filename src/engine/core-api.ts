@@ -29,6 +29,9 @@ export interface CoreField {
   readonly unit: string;
 }
 
+/** What the core says of a mesh: all but what the weld knows. */
+export type CoreReport = Omit<MeshReport, 'nearPlaces'>;
+
 /** One mesh in the core. Every call throws a {@link WhittleError} with the core's own code and element. */
 export interface CoreSession {
   /**
@@ -36,7 +39,7 @@ export interface CoreSession {
    *
    * @param sourceVertices #V, what the file numbers each vertex; sentences and elements of refusals speak of these. Default: the same
    */
-  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): MeshReport;
+  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): CoreReport;
   /** Chooses a method and the values of its parameters (absent: default). Keeps the current positions. */
   configure(method: string, values: EncodedValues): void;
   /** Goes back to the rest positions. */

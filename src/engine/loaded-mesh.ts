@@ -18,19 +18,20 @@ export class LoadedMesh {
   readonly #core: Core;
   readonly #session: CoreSession;
   readonly #scratch: Float64Array<ArrayBuffer>;
-  readonly #length: number;
+  readonly #source: Float64Array;
 
   constructor(core: Core, mesh: Mesh) {
     this.weld = weldOf(mesh);
     const positions = gather(mesh.positions, this.weld);
     this.#core = core;
-    this.#length = mesh.positions.length;
+    this.#source = mesh.positions;
     this.#scratch = new Float64Array(positions.length);
     this.#session = this.#call(() => core.open());
     try {
-      this.report = this.#call(() =>
+      const report = this.#call(() =>
         this.#session.load(positions, this.weld.triangles, this.weld.positionOfVertex),
       );
+      this.report = { ...report, nearPlaces: this.weld.near?.places ?? 0 };
     } catch (thrown) {
       if (thrown instanceof WhittleError) this.free();
       throw thrown;
@@ -60,8 +61,8 @@ export class LoadedMesh {
   /** #P×3 in file order; `into` is used again if it fits. */
   readonly copyPositions = (into?: Float64Array<ArrayBuffer>): Float64Array<ArrayBuffer> => {
     this.#call(() => this.#session.copyPositions(this.#scratch));
-    const fits = into?.length === this.#length;
-    return spread(this.#scratch, this.weld, fits ? into : undefined);
+    const fits = into?.length === this.#source.length;
+    return spread(this.#scratch, this.weld, this.#source, fits ? into : undefined);
   };
 
   warnings(): string[] {

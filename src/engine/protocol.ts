@@ -128,7 +128,8 @@ function buffersOf(value: Calls[CallName]['answer']): ArrayBuffer[] {
   if (value === null || 'components' in value) return [];
   if ('positions' in value) return [value.positions.buffer];
   const { positions, triangles, weld, colors, uvs } = value.mesh;
-  const welded = [weld?.vertexOfPosition, weld?.positionOfVertex, weld?.triangles];
+  const near = [weld?.near?.positions, weld?.near?.offsets];
+  const welded = [weld?.vertexOfPosition, weld?.positionOfVertex, weld?.triangles, ...near];
   const arrays = [positions, triangles, ...welded, colors, uvs, value.normalMap?.bytes];
   return arrays.flatMap((array) => (array ? [array.buffer] : []));
 }

@@ -1,7 +1,6 @@
 import { type FailureCode, WhittleError } from '../mesh/failure.ts';
-import type { MeshReport } from '../mesh/mesh.ts';
 import type { Encoded } from '../methods/values/parameter.ts';
-import type { CoreField, CoreMethod, CoreSession, Preparation, Step } from './core-api.ts';
+import type { CoreField, CoreMethod, CoreReport, CoreSession, Preparation, Step } from './core-api.ts';
 import type { EncodedValues } from './encode.ts';
 import type { WasmHeap } from './wasm-heap.ts';
 import type { WasmModule } from './wasm-module.ts';
@@ -25,7 +24,7 @@ export class WasmSession implements CoreSession {
     this.#handle = module._whittle_create();
   }
 
-  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): MeshReport {
+  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): CoreReport {
     const load = (positionsAt: number, trianglesAt: number, sourceAt: number) =>
       this.#module._whittle_load(
         ...([this.#handle, positionsAt, positions.length / 3] as const),
@@ -108,7 +107,7 @@ export class WasmSession implements CoreSession {
     return this.#heap.withCopies([numbers, indices], set);
   }
 
-  #report(): MeshReport {
+  #report(): CoreReport {
     const numbers = new Float64Array(14);
     this.#heap.readNumbers(numbers, (address) => this.#module._whittle_report(this.#handle, address));
     const at = (index: number): number => numbers[index]!;

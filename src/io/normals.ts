@@ -1,6 +1,6 @@
 import { weld } from '../mesh/weld.ts';
 import { type Faces, none } from './parsed-file.ts';
-import { newellVector } from './polygon.ts';
+import { newellVector, triangulate } from './polygon.ts';
 
 /**
  * New values for the normals that a file stores.
@@ -40,7 +40,7 @@ export function newNormals(
 ): Float64Array {
   const sums = new FaceSums(faces, before, after);
   const units = unitVectors(stored.values);
-  const { vertexOfPosition, positionOfVertex } = weld(before, new Uint32Array(0));
+  const { vertexOfPosition, positionOfVertex } = weld(before, triangulate(before, faces).triangles);
   const around = cornersByVertex(faces.corners, vertexOfPosition, positionOfVertex.length);
   const totals = new Totals(stored.values.length);
   const fans = new Fans(units, sums, totals);

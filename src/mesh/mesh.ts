@@ -19,7 +19,7 @@ export interface Mesh {
 }
 
 /**
- * Which positions of a mesh are one vertex for the solver: those that its file has in one place. A weld is made once a file and
+ * Which positions of a mesh are one vertex for the solver: those that its file has in one place, but for rounding. A weld is made once a file and
  * carried on by every mesh that steps make of it, so that two vertices that a step brought together stay two.
  */
 export interface Weld {
@@ -29,6 +29,18 @@ export interface Weld {
   readonly positionOfVertex: Uint32Array<ArrayBuffer>;
   /** #F×3 indices of welded vertices, same faces in the same order as the source. */
   readonly triangles: Uint32Array<ArrayBuffer>;
+  /** What was joined though it differs by rounding; absent where nothing was. */
+  readonly near?: NearPlaces;
+}
+
+/** Source positions that are not where the first position of their vertex is, but nearly. */
+export interface NearPlaces {
+  /** How many places were joined to others. */
+  readonly places: number;
+  /** #N source positions, rising. */
+  readonly positions: Uint32Array<ArrayBuffer>;
+  /** #N×3, how far each lies from the first position of its vertex. */
+  readonly offsets: Float64Array<ArrayBuffer>;
 }
 
 /** What the core says of a mesh once it has looked at it. Counts are those of the welded mesh, faces as given. */
@@ -46,6 +58,8 @@ export interface MeshReport {
   readonly duplicateFaces: number;
   /** Vertices that no face uses. They stay where they are. */
   readonly isolatedVertices: number;
+  /** Places that differ from another only by rounding and count as that one. */
+  readonly nearPlaces: number;
   /** Axis-aligned box of all positions, in the file's units. */
   readonly min: readonly [number, number, number];
   readonly max: readonly [number, number, number];

@@ -4,7 +4,7 @@ const count = new Intl.NumberFormat('en');
 
 /** Sentences about what is odd in a mesh and what the solver does with it. Holes and several parts are not odd. */
 export function oddities(report: MeshReport): string[] {
-  const { isolatedVertices, degenerateFaces, duplicateFaces, nonManifoldEdges } = report;
+  const { isolatedVertices, degenerateFaces, duplicateFaces, nonManifoldEdges, nearPlaces } = report;
   const sentences: string[] = [];
   const say = (number: number, one: string, many: string): void => {
     if (number > 0) sentences.push(number === 1 ? `1 ${one}` : `${count.format(number)} ${many}`);
@@ -13,6 +13,11 @@ export function oddities(report: MeshReport): string[] {
     isolatedVertices,
     'vertex belongs to no face and stays where it is.',
     'vertices belong to no face and stay where they are.',
+  );
+  say(
+    nearPlaces,
+    'place differs from another only by rounding; for the work they are one, your file keeps them apart.',
+    'places differ from others only by rounding; for the work they are one, your file keeps them apart.',
   );
   say(
     degenerateFaces,

@@ -1,4 +1,6 @@
 import type { Mesh, Weld } from './mesh.ts';
+import { joinNearPlaces } from './near-places.ts';
+import { row, type Vec3 } from './vectors.ts';
 
 const welds = new WeakMap<Pick<Mesh, 'positions' | 'triangles'>, Weld>();
 
@@ -17,12 +19,19 @@ export function movedMesh(mesh: Mesh, positions: Float64Array<ArrayBuffer>): Mes
 }
 
 /**
- * Merges positions that are equal to the bit (−0 counts as 0; NaNs stay apart), so that seams do not tear.
+ * Merges positions that are one place, so that seams do not tear: those that are equal to the bit (−0 counts as 0; NaNs stay
+ * apart) and, of those that faces use, those that differ only by rounding, see `near-places.ts`.
  *
  * @param positions #P×3
  * @param triangles #F×3 indices into `positions`; indices out of range are left as they are for the core to name
  */
 export function weld(positions: Float64Array, triangles: Uint32Array): Weld {
+  const exact = weldEqual(positions, triangles);
+  const firstOfPlace = joinNearPlaces(gather(positions, exact), exact.triangles);
+  return firstOfPlace ? weldNear(positions, triangles, exact, firstOfPlace) : exact;
+}
+
+function weldEqual(positions: Float64Array, triangles: Uint32Array): Weld {
   const count = positions.length / 3;
   const table = new PositionTable(positions);
   const vertexOfPosition = new Uint32Array(count);
@@ -37,12 +46,59 @@ export function weld(positions: Float64Array, triangles: Uint32Array): Weld {
       vertexOfPosition[p] = vertexOfPosition[twin]!;
     }
   }
+  const positionOfVertex = firstPosition.slice(0, vertices);
+  return { vertexOfPosition, positionOfVertex, triangles: renamed(triangles, vertexOfPosition) };
+}
+
+/** @param firstOfPlace #V of the exact weld: the first vertex in the place of each */
+function weldNear(
+  positions: Float64Array,
+  triangles: Uint32Array,
+  exact: Weld,
+  firstOfPlace: Uint32Array,
+): Weld {
+  const joined = new Uint32Array(firstOfPlace.length);
+  let vertices = 0;
+  for (let v = 0; v < joined.length; v++)
+    joined[v] = firstOfPlace[v] === v ? vertices++ : joined[firstOfPlace[v]!]!;
+  const positionOfVertex = exact.positionOfVertex.filter((_, v) => firstOfPlace[v] === v);
+  const vertexOfPosition = exact.vertexOfPosition.map((v) => joined[v]!);
+  const apart = Uint32Array.from(vertexOfPosition.keys()).filter(
+    (p) => firstOfPlace[exact.vertexOfPosition[p]!] !== exact.vertexOfPosition[p],
+  );
+  const offsets = new Float64Array(3 * apart.length);
+  apart.forEach((p, i) => {
+    const first = 3 * positionOfVertex[vertexOfPosition[p]!]!;
+    for (let axis = 0; axis < 3; axis++)
+      offsets[3 * i + axis] = positions[3 * p + axis]! - positions[first + axis]!;
+  });
+  const near = { places: firstOfPlace.length - vertices, positions: apart, offsets };
+  return { vertexOfPosition, positionOfVertex, triangles: renamed(triangles, vertexOfPosition), near };
+}
+
+function renamed(triangles: Uint32Array, vertexOfPosition: Uint32Array): Uint32Array<ArrayBuffer> {
   const welded = triangles.slice() as Uint32Array<ArrayBuffer>;
   for (let c = 0; c < welded.length; c++) {
     const p = welded[c]!;
-    if (p < count) welded[c] = vertexOfPosition[p]!;
+    if (p < vertexOfPosition.length) welded[c] = vertexOfPosition[p]!;
   }
-  return { vertexOfPosition, positionOfVertex: firstPosition.slice(0, vertices), triangles: welded };
+  return welded;
+}
+
+/** How far a source position lies from the first of its vertex; nothing where it is the same place. */
+export function offsetOf({ near }: Weld, position: number): Vec3 {
+  const place = near ? lowerBound(near.positions, position) : 0;
+  return near?.positions[place] === position ? row(near.offsets, place) : [0, 0, 0];
+}
+
+function lowerBound(rising: Uint32Array, value: number): number {
+  let [low, high] = [0, rising.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (rising[middle]! < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 /** Positions of welded vertices (#V×3), each where its first source position (of #P×3) is. */
@@ -60,10 +116,16 @@ export function gather(
   return gathered;
 }
 
-/** Spreads positions of welded vertices (#V×3) back over the source positions (#P×3). */
+/**
+ * Spreads positions of welded vertices (#V×3) back over the source positions (#P×3). Where the weld joined what differs by
+ * rounding, each keeps its distance from the first; of a coordinate that has not moved it has its own bits.
+ *
+ * @param source #P×3 positions that the welded ones were gathered from
+ */
 export function spread(
   welded: Float64Array,
-  { vertexOfPosition }: Pick<Weld, 'vertexOfPosition'>,
+  { vertexOfPosition, positionOfVertex, near }: Pick<Weld, 'vertexOfPosition' | 'positionOfVertex' | 'near'>,
+  source: Float64Array,
   into: Float64Array<ArrayBuffer> = new Float64Array(3 * vertexOfPosition.length),
 ): Float64Array<ArrayBuffer> {
   for (let p = 0; p < vertexOfPosition.length; p++) {
@@ -72,6 +134,14 @@ export function spread(
     into[3 * p + 1] = welded[v + 1]!;
     into[3 * p + 2] = welded[v + 2]!;
   }
+  near?.positions.forEach((p, place) => {
+    const first = 3 * positionOfVertex[vertexOfPosition[p]!]!;
+    for (let axis = 0; axis < 3; axis++) {
+      const i = 3 * p + axis;
+      if (into[i] === source[first + axis]) into[i] = source[i]!;
+      else into[i] = into[i]! + near.offsets[3 * place + axis]!;
+    }
+  });
   return into;
 }
 

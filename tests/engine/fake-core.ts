@@ -1,8 +1,15 @@
-import type { Core, CoreField, CoreSession, Preparation, Step } from '../../src/engine/core-api.ts';
+import type {
+  Core,
+  CoreField,
+  CoreReport,
+  CoreSession,
+  Preparation,
+  Step,
+} from '../../src/engine/core-api.ts';
 import type { EncodedValues } from '../../src/engine/encode.ts';
 import type { Services } from '../../src/engine/services.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
-import type { Mesh, MeshReport } from '../../src/mesh/mesh.ts';
+import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Encoded } from '../../src/methods/values/parameter.ts';
 
 /** Values of `lambda` that make the fake core misbehave at its third step. */
@@ -61,7 +68,7 @@ class FakeSession implements CoreSession {
     this.#core = core;
   }
 
-  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): MeshReport {
+  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): CoreReport {
     this.#core.log.push('load');
     const bad = positions.findIndex((coordinate) => !Number.isFinite(coordinate));
     if (bad >= 0) {

@@ -11,6 +11,7 @@ const sound: MeshReport = {
   degenerateFaces: 0,
   duplicateFaces: 0,
   isolatedVertices: 0,
+  nearPlaces: 0,
   min: [0, 0, 0],
   max: [1, 1, 1],
 };
@@ -22,6 +23,8 @@ test('holes and several parts are no cause for a warning', () => {
 test.each([
   [{ isolatedVertices: 1 }, '1 vertex belongs to no face'],
   [{ isolatedVertices: 3 }, '3 vertices belong to no face'],
+  [{ nearPlaces: 1 }, '1 place differs from another only by rounding'],
+  [{ nearPlaces: 7 }, '7 places differ from others only by rounding'],
   [{ degenerateFaces: 2 }, '2 faces have no area'],
   [{ duplicateFaces: 1 }, '1 face repeats another'],
   [{ nonManifoldEdges: 5 }, '5 edges join three faces or more'],

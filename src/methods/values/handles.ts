@@ -1,4 +1,6 @@
 import { WhittleError } from '../../mesh/failure.ts';
+import { distance, subtract, type Vec3 } from '../../mesh/vectors.ts';
+import { offsetOf } from '../../mesh/weld.ts';
 import type { Parameter, ValueKind } from './parameter.ts';
 import { isPoint, verticesProblem } from './points.ts';
 import { show } from './show.ts';
@@ -8,8 +10,6 @@ export interface Handles {
   readonly vertices: readonly number[];
   readonly targets: readonly (readonly [number, number, number])[];
 }
-
-type Point = Handles['targets'][number];
 
 /** Vertices held at given places: {@link Handles}. Absent means none. */
 export interface HandlesParameter extends Parameter {
@@ -35,12 +35,15 @@ export const handles: ValueKind<HandlesParameter, Handles> = {
     if (bad < 0) return undefined;
     return `must have targets [x, y, z] of finite numbers; entry ${bad} is ${show(targets[bad])}.`;
   },
-  /** Handles that say the same of the same place become one; positions that the file stores twice can only move together. */
-  encode({ name }, { vertices, targets }, { vertexOfPosition }) {
-    const handles = new Map<number, { source: number; target: Point }>();
-    const count = vertexOfPosition.length;
+  /**
+   * Handles that say the same of the same place become one; positions that the file stores twice can only move together. Where
+   * these differ by rounding, their targets may differ by as much.
+   */
+  encode({ name }, { vertices, targets }, weld) {
+    const handles = new Map<number, Handle>();
+    const count = weld.vertexOfPosition.length;
     vertices.forEach((source, entry) => {
-      const vertex = vertexOfPosition[source];
+      const vertex = weld.vertexOfPosition[source];
       if (vertex === undefined) {
         throw new WhittleError(
           'bad-handles',
@@ -48,16 +51,13 @@ export const handles: ValueKind<HandlesParameter, Handles> = {
           source,
         );
       }
-      const target = targets[entry]!;
+      const handle = { source, offset: offsetOf(weld, source), target: targets[entry]! };
       const earlier = handles.get(vertex);
-      if (!earlier) handles.set(vertex, { source, target });
-      else if (!samePoint(earlier.target, target)) throw twoTargets(name, earlier.source, source);
+      if (!earlier) handles.set(vertex, handle);
+      else if (!agree(earlier, handle)) throw twoTargets(name, earlier.source, source);
     });
-    return {
-      name: '',
-      numbers: Float64Array.from([...handles.values()].flatMap(({ target }) => target)),
-      indices: Uint32Array.from(handles.keys()),
-    };
+    const held = [...handles.values()].map(({ target, offset }) => subtract(target, offset));
+    return { name: '', numbers: Float64Array.from(held.flat()), indices: Uint32Array.from(handles.keys()) };
   },
   help: () => ({
     value: 'FILE.json',
@@ -74,6 +74,14 @@ function twoTargets(name: string, first: number, second: number): WhittleError {
   return new WhittleError('bad-handles', message, second);
 }
 
-function samePoint(a: Point, b: Point): boolean {
-  return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+interface Handle {
+  readonly source: number;
+  /** From the place of the vertex. */
+  readonly offset: Vec3;
+  readonly target: Vec3;
+}
+
+/** Whether two positions of one vertex are drawn to one place, give or take what lies between them. */
+function agree(a: Handle, b: Handle): boolean {
+  return distance(a.target, b.target) <= 2 * distance(a.offset, b.offset);
 }
