@@ -120,30 +120,57 @@ describe('kinds of data', () => {
     meshes: [{ primitives: [{ ...json.meshes[0].primitives[0], mode: value }] }],
   });
 
-  it('reads whole numbers and refuses to write into them, naming the accessor', () => {
-    const bin = new Uint8Array(32);
+  /** A triangle of bytes, as quantized files have them. */
+  const quantized = (): [AnyJson, Uint8Array<ArrayBuffer>] => {
+    const bin = new Uint8Array(16);
     bin.set([0, 0, 0, 0, 255, 0, 0, 0, 0, 255, 0, 0]);
     const json = simple();
-    Object.assign(json.accessors[0], { componentType: 5121, normalized: true, count: 3 });
+    Object.assign(json.accessors[0], { componentType: 5121, normalized: true, count: 3, name: 'kept' });
     json.bufferViews[0] = { buffer: 0, byteLength: 12, byteStride: 4 };
     json.buffers[0].byteLength = 12;
-    const glb = packGlb(json, bin);
-    const { positions } = readMesh(glb, 'q.glb').mesh;
-    expect(Array.from(positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
-    expect(writeMesh(glb, 'q.glb', 'glb', positions)).toEqual(glb);
-    expect(() =>
-      writeMesh(
-        glb,
-        'q.glb',
-        'glb',
-        positions.map((value) => value / 2),
-      ),
-    ).toThrow(
-      expect.objectContaining({
-        code: 'unsupported-file',
-        message: expect.stringContaining('q.glb, accessor 0: '),
-      }),
-    );
+    json.extensionsUsed = ['KHR_mesh_quantization'];
+    json.nodes = [{ mesh: 0, scale: [4, 4, 4], translation: [1, 0, 0] }];
+    return [json, bin];
+  };
+
+  it.each([packGlb, packGltf])('gives whole numbers a buffer view of decimal ones: %o', (pack) => {
+    const [json, bin] = quantized();
+    const file = pack(json, bin);
+    const { mesh, format, warnings } = readMesh(file, 'q');
+    expect(warnings).toEqual([expect.stringMatching(/whole numbers; in the result they are decimal ones/)]);
+    expect(Array.from(mesh.positions)).toEqual([1, 0, 0, 5, 0, 0, 1, 4, 0]);
+    expect(writeMesh(file, 'q', format, mesh.positions)).toEqual(file);
+    const half = mesh.positions.map((value) => value / 2);
+    const written = writeMesh(file, 'q', format, half);
+    const again = readMesh(written, 'q');
+    expect(again.warnings).toEqual([]);
+    expect(again.mesh.positions).toEqual(half);
+    expect(writeMesh(written, 'q', format, half)).toEqual(written);
+    if (pack !== packGlb) return;
+    const after = unpack(written);
+    const accessor = { componentType: 5126, count: 3, type: 'VEC3', name: 'kept', bufferView: 1 };
+    expect(after.json).toEqual({
+      ...json,
+      accessors: [{ ...accessor, min: [-0.125, 0, 0], max: [0.375, 0.5, 0] }],
+      bufferViews: [json.bufferViews[0], { buffer: 0, byteOffset: 16, byteLength: 36, target: 34962 }],
+      buffers: [{ byteLength: 52 }],
+    });
+    // What follows the chunk stays where it is.
+    const extra = new Uint8Array([4, 0, 0, 0, 88, 89, 90, 0, 1, 2, 3, 4]);
+    const longer = writeMesh(packGlb(json, bin, extra), 'q', 'glb', half);
+    expect(longer.subarray(-12)).toEqual(extra);
+    expect(readMesh(longer, 'q').mesh.positions).toEqual(half);
+  });
+
+  it('gives positions that are zero because nothing is stored a place, if there is one', () => {
+    const [json, bin] = quantized();
+    json.accessors.push({ componentType: 5126, count: 3, type: 'VEC3' });
+    json.meshes[0].primitives.push({ attributes: { POSITION: 1 } });
+    const { positions } = readMesh(packGlb(json, bin), 'q').mesh;
+    const moved = positions.map((_, i) => i);
+    expect(readMesh(writeMesh(packGlb(json, bin), 'q', 'glb', moved), 'q').mesh.positions).toEqual(moved);
+    const bare = { ...simple(), accessors: [json.accessors[1]], bufferViews: [], buffers: [] };
+    expect(() => writeMesh(packGlb(bare, bin), 'q', 'glb', moved.slice(0, 9))).toThrow(/not stored at all/);
   });
 
   it('reads sparse positions and writes each where it is stored', () => {

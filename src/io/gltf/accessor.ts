@@ -82,6 +82,16 @@ export class Accessor {
     return values;
   }
 
+  /** Whether every element is stored somewhere. */
+  get isWhole(): boolean {
+    return this.#base !== undefined || this.#sparseSlots.size === this.count;
+  }
+
+  /** A buffer that holds some of it, or the first one. */
+  get anyBuffer(): number {
+    return this.#base?.buffer ?? this.#sparse?.buffer ?? 0;
+  }
+
   /** The buffer that holds element `i`, or −1 for an element that is zero because nothing is stored. */
   bufferOf(i: number): number {
     return this.#sparseSlots.has(i) ? this.#sparse!.buffer : (this.#base?.buffer ?? -1);

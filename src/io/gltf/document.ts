@@ -21,6 +21,7 @@ export class GltfDocument {
   readonly bytes: Uint8Array;
   readonly name: string;
   readonly layout: Layout;
+  readonly isBinary: boolean;
   readonly root: Json;
   readonly #buffers = new Map<number, Uint8Array>();
   #budget: number;
@@ -29,6 +30,7 @@ export class GltfDocument {
   constructor(bytes: Uint8Array, name: string, isBinary: boolean) {
     this.bytes = bytes;
     this.name = name;
+    this.isBinary = isBinary;
     this.#budget = 1e6 + 16 * bytes.length;
     this.layout = isBinary ? this.#glbLayout() : { json: [hasByteOrderMark(bytes) ? 3 : 0, bytes.length] };
     this.root = this.record(this.#parse(), 'the JSON');

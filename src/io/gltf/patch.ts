@@ -1,60 +1,47 @@
-import { ByteWriter } from '../byte-writer.ts';
-import { encodeUtf8, viewOf } from '../bytes.ts';
+import { viewOf } from '../bytes.ts';
 import { fitsFloat32, unfitPosition } from '../fit.ts';
 import { newNormals } from '../normals.ts';
 import { refusal } from '../refuse.ts';
 import { hasMoved } from '../text-patch.ts';
 import { Accessor } from './accessor.ts';
-import { encodeBase64 } from './base64.ts';
-import { GltfDocument } from './document.ts';
-import { elementSpans, memberSpan, type Span, valueSpan } from './json-spans.ts';
+import { GltfAssembly } from './assembly.ts';
 import { apply3, applyTransposed3, invert3, linearPart } from './matrix.ts';
 import type { GltfFile, GltfNormals, GltfPart } from './scan.ts';
 
 /**
  * Gives an asset back with other positions, normals and tangents, rounded to the numbers they are stored as, and with the
- * `min` and `max` of their accessors. Other JSON, chunks and buffers stay byte for byte.
+ * `min` and `max` of their accessors. Other JSON, chunks and buffers stay byte for byte. Positions that are whole numbers get a
+ * buffer view of their own with decimal ones, in the frame that they were in.
  *
- * @throws unsupported-file if changed positions are stored as whole numbers, or under a transform that flattens them
+ * @throws unsupported-file if changed positions stand under a transform that flattens them, or in a file without buffers
  */
 export function patchGltf(
-  source: Uint8Array,
+  _source: Uint8Array,
   file: GltfFile,
   positions: Float64Array,
 ): Uint8Array<ArrayBuffer> {
-  return new GltfPatch(new Uint8Array(source), file, positions).run();
-}
-
-interface Replacement {
-  readonly span: Span;
-  readonly text: string;
+  return new GltfPatch(file, positions).run();
 }
 
 class GltfPatch {
-  readonly #result: Uint8Array<ArrayBuffer>;
   readonly #file: GltfFile;
   readonly #after: Float64Array;
-  /** A document over the copy; its buffers are what is written to. */
-  readonly #target: GltfDocument;
-  readonly #views = new Map<number, DataView>();
+  readonly #assembly: GltfAssembly;
+  /** Accessors that were written to in place. */
   readonly #touched = new Set<number>();
 
-  constructor(result: Uint8Array<ArrayBuffer>, file: GltfFile, after: Float64Array) {
-    this.#result = result;
+  constructor(file: GltfFile, after: Float64Array) {
     this.#file = file;
     this.#after = after;
-    this.#target = new GltfDocument(
-      result,
-      file.document.name,
-      file.document.layout.bin !== undefined || isGlb(result),
-    );
+    this.#assembly = new GltfAssembly(file.document);
   }
 
   run(): Uint8Array<ArrayBuffer> {
     for (const part of this.#file.parts) this.#patchPositions(part);
-    if (this.#views.size === 0) return this.#result;
+    if (!this.#assembly.isTouched) return this.#assembly.finish();
     if (this.#file.normals.length > 0) this.#patchNormals();
-    return this.#withJson(this.#jsonReplacements());
+    for (const index of this.#touched) this.#newBounds(index);
+    return this.#assembly.finish();
   }
 
   #patchPositions(part: GltfPart): void {
@@ -63,12 +50,13 @@ class GltfPatch {
     const after = this.#after;
     const inverse = invert3(linearPart(toWorld));
     const local = accessor.read();
+    const isStored = accessor.isFloat && accessor.isWhole;
     const move = new Float64Array(3);
+    let hasNew = false;
     for (let v = 0; v < accessor.count; v++) {
       const p = first + v;
       if (!hasMoved(before, after, p)) continue;
-      if (!accessor.isFloat || !inverse || accessor.bufferOf(v) < 0)
-        throw this.#cannotHold(accessor, !inverse);
+      if (!inverse || (!isStored && !this.#assembly.canGrow)) throw this.#cannotHold(accessor, !inverse);
       const i = 3 * p;
       // By difference, so that a coordinate that has not moved keeps its bits.
       apply3(
@@ -79,20 +67,41 @@ class GltfPatch {
         move,
         0,
       );
-      const view = this.#view(accessor, v);
+      const view = isStored ? this.#assembly.view(accessor.bufferOf(v)) : undefined;
       for (let axis = 0; axis < 3; axis++) {
         const value = local[3 * v + axis] + move[axis];
         if (!fitsFloat32(value)) throw unfitPosition(this.#file.document.name, p, after[i + axis]);
-        accessor.set(view, v, axis, value);
+        if (view) accessor.set(view, v, axis, value);
+        else local[3 * v + axis] = value;
       }
-      this.#touched.add(accessor.index);
+      hasNew = true;
     }
+    if (hasNew && isStored) this.#touched.add(accessor.index);
+    else if (hasNew) this.#storeAnew(accessor, local);
+  }
+
+  /** Gives an accessor of whole numbers, or of numbers that are not stored, a buffer view of decimal ones of its own. */
+  #storeAnew(accessor: Accessor, values: Float64Array): void {
+    const floats = Float32Array.from(values);
+    const bytes = new Uint8Array(floats.buffer);
+    const view = viewOf(bytes);
+    for (let i = 0; i < floats.length; i++) view.setFloat32(4 * i, floats[i], true);
+    const { normalized, sparse, byteOffset, ...rest } = this.#file.document.element(
+      'accessors',
+      accessor.index,
+      'patch',
+    );
+    const bufferView = this.#assembly.append(accessor.anyBuffer, bytes);
+    this.#assembly.replaceElement('accessors', accessor.index, {
+      ...rest,
+      ...{ bufferView, componentType: 5126, ...boundsOf(floats, accessor.components) },
+    });
   }
 
   #cannotHold(accessor: Accessor, isFlat: boolean): Error {
     const why = isFlat
       ? 'a node scales its positions to nothing; apply its transform first, or save as .obj instead.'
-      : 'its positions are stored as whole numbers or not at all, which cannot hold the new shape; run "gltf-transform dequantize" on the file first, or save as .obj instead.';
+      : 'its positions are not stored at all; save as .obj instead.';
     return refusal('unsupported-file', this.#file.document.name, `accessor ${accessor.index}`, why);
   }
 
@@ -111,7 +120,7 @@ class GltfPatch {
       if (Number.isNaN(fresh[i]) || accessor.bufferOf(v) < 0) continue;
       applyTransposed3(linear, fresh[i], fresh[i + 1], fresh[i + 2], normal, 0);
       if (!normalize(normal)) continue;
-      const view = this.#view(accessor, v);
+      const view = this.#assembly.view(accessor.bufferOf(v));
       for (let axis = 0; axis < 3; axis++) accessor.set(view, v, axis, normal[axis]);
       this.#touched.add(accessor.index);
       if (tangents && tangentValues) this.#patchTangent(tangents, v, tangentValues, normal);
@@ -125,117 +134,34 @@ class GltfPatch {
     const along = tangent[0] * normal[0] + tangent[1] * normal[1] + tangent[2] * normal[2];
     for (let axis = 0; axis < 3; axis++) tangent[axis] -= along * normal[axis];
     if (!normalize(tangent)) return;
-    const view = this.#view(tangents, v);
+    const view = this.#assembly.view(tangents.bufferOf(v));
     for (let axis = 0; axis < 3; axis++) tangents.set(view, v, axis, tangent[axis]);
     this.#touched.add(tangents.index);
   }
 
-  #view(accessor: Accessor, element: number): DataView {
-    const buffer = accessor.bufferOf(element);
-    let view = this.#views.get(buffer);
-    if (!view) {
-      view = viewOf(this.#target.buffer(buffer));
-      this.#views.set(buffer, view);
-    }
-    return view;
-  }
-
-  /** New bounds of the accessors that were written to, and new text of the buffers that are in the JSON. */
-  #jsonReplacements(): Replacement[] {
-    const bytes = this.#result;
-    const root = valueSpan(bytes, this.#target.layout.json[0]);
-    const replacements: Replacement[] = [];
-    const accessors = elementSpans(bytes, memberSpan(bytes, root, 'accessors'));
-    for (const index of this.#touched) replacements.push(...this.#newBounds(index, accessors[index]));
-    const buffers = elementSpans(bytes, memberSpan(bytes, root, 'buffers'));
-    for (const index of this.#views.keys()) {
-      const span = memberSpan(bytes, buffers[index], 'uri');
-      if (span) replacements.push({ span, text: this.#newUri(index) });
-    }
-    return replacements.sort((a, b) => a.span[0] - b.span[0]);
-  }
-
-  #newBounds(index: number, accessorSpan: Span): Replacement[] {
-    const accessor = new Accessor(this.#target, index, 'patch');
-    const step = accessor.components;
-    const values = accessor.read();
-    const bounds = {
-      min: new Array<number>(step).fill(Infinity),
-      max: new Array<number>(step).fill(-Infinity),
-    };
-    for (let i = 0; i < values.length; i++) {
-      bounds.min[i % step] = Math.min(bounds.min[i % step], values[i]);
-      bounds.max[i % step] = Math.max(bounds.max[i % step], values[i]);
-    }
-    const json = this.#target.element('accessors', index, 'patch');
-    return (['min', 'max'] as const).flatMap((key) => {
-      const span = memberSpan(this.#result, accessorSpan, key);
+  /** New bounds of an accessor that was written to, where they are others. */
+  #newBounds(index: number): void {
+    const { document } = this.#assembly;
+    const accessor = new Accessor(document, index, 'patch');
+    const bounds = boundsOf(accessor.read(), accessor.components);
+    const json = document.element('accessors', index, 'patch');
+    for (const key of ['min', 'max'] as const) {
       const given = json[key];
-      if (!span || (Array.isArray(given) && bounds[key].every((value, i) => value === given[i]))) return [];
-      return [{ span, text: JSON.stringify(bounds[key]) }];
-    });
-  }
-
-  /** The data URI of a patched buffer: only its base64 part is new. */
-  #newUri(index: number): string {
-    const uri = String(this.#target.element('buffers', index, 'patch').uri);
-    const head = uri.slice(0, uri.indexOf(',') + 1);
-    const view = this.#views.get(index)!;
-    // The view may be shorter than what the URI holds; bytes behind it stay.
-    return JSON.stringify(head + encodeBase64(new Uint8Array(view.buffer)));
-  }
-
-  #withJson(replacements: readonly Replacement[]): Uint8Array<ArrayBuffer> {
-    const source = this.#result;
-    if (replacements.length === 0) return source;
-    const [begin, end] = this.#target.layout.json;
-    const writer = new ByteWriter(end - begin + 64 * replacements.length);
-    let copied = begin;
-    for (const { span, text } of replacements) {
-      writer.copy(source, copied, span[0]);
-      const encoded = encodeUtf8(text);
-      writer.copy(encoded, 0, encoded.length);
-      copied = span[1];
+      const isSame = Array.isArray(given) && bounds[key].every((value, i) => value === given[i]);
+      if (!isSame) this.#assembly.replaceMember('accessors', index, key, bounds[key]);
     }
-    writer.copy(source, copied, end);
-    const json = writer.take();
-    return isGlb(source)
-      ? withJsonChunk(source, begin, end, json)
-      : concatenate([source.subarray(0, begin), json]);
   }
 }
 
-/** A GLB with another JSON chunk, padded with blanks to a multiple of four. */
-function withJsonChunk(
-  source: Uint8Array,
-  begin: number,
-  end: number,
-  json: Uint8Array,
-): Uint8Array<ArrayBuffer> {
-  let length = json.length;
-  while (length > 0 && json[length - 1] === 32) length--;
-  const padded = new Uint8Array(4 * Math.ceil(length / 4)).fill(32);
-  padded.set(json.subarray(0, length));
-  const result = concatenate([source.subarray(0, begin), padded, source.subarray(end)]);
-  const view = viewOf(result);
-  view.setUint32(8, view.getUint32(8, true) + padded.length - (end - begin), true);
-  view.setUint32(begin - 8, padded.length, true);
-  return result;
-}
-
-function concatenate(pieces: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const result = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, 0));
-  let at = 0;
-  for (const piece of pieces) {
-    result.set(piece, at);
-    at += piece.length;
+function boundsOf(values: Float64Array | Float32Array, step: number): { min: number[]; max: number[] } {
+  const min = new Array<number>(step).fill(Infinity);
+  const max = new Array<number>(step).fill(-Infinity);
+  for (let i = 0; i < values.length; i++) {
+    // What is no number, of a vertex that no face uses, is no bound.
+    if (values[i] < min[i % step]) min[i % step] = values[i];
+    if (values[i] > max[i % step]) max[i % step] = values[i];
   }
-  return result;
-}
-
-/** "glTF". */
-function isGlb(bytes: Uint8Array): boolean {
-  return bytes[0] === 0x67 && bytes[1] === 0x6c && bytes[2] === 0x54 && bytes[3] === 0x46;
+  return { min, max };
 }
 
 function normalize(vector: Float64Array): boolean {

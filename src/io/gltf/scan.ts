@@ -51,6 +51,9 @@ export function scanGltf(bytes: Uint8Array, name: string, isBinary: boolean): Gl
   return new GltfScan(new GltfDocument(bytes, name, isBinary)).run();
 }
 
+const wholeNumbers =
+  'Its positions are stored as whole numbers; in the result they are decimal ones, in a part of their own.';
+
 class GltfScan {
   readonly #document: GltfDocument;
   readonly #positions = new FloatList();
@@ -178,6 +181,7 @@ class GltfScan {
     const accessor = new Accessor(document, attributes.POSITION, place);
     if (accessor.components !== 3)
       throw document.malformed(`accessor ${accessor.index}`, 'positions are not VEC3');
+    if (!accessor.isFloat) this.#warnings.add(wholeNumbers);
     const part = { accessor, first: this.#positions.length / 3, toWorld };
     this.#parts.set(attributes.POSITION, part);
     this.#addPositions(part);
