@@ -30,7 +30,7 @@ export interface CoreField {
 }
 
 /** What the core says of a mesh: all but what the weld knows. */
-export type CoreReport = Omit<MeshReport, 'nearPlaces'>;
+export type CoreReport = Omit<MeshReport, 'nearPlaces' | 'duplicateFaces' | 'turnedFaces' | 'oneSidedEdges'>;
 
 /** One mesh in the core. Every call throws a {@link WhittleError} with the core's own code and element. */
 export interface CoreSession {
@@ -38,8 +38,14 @@ export interface CoreSession {
    * Validates and takes a welded mesh (#V×3, #F×3); forgets all that was there.
    *
    * @param sourceVertices #V, what the file numbers each vertex; sentences and elements of refusals speak of these. Default: the same
+   * @param sourceFaces #F, what the file numbers each face, likewise
    */
-  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): CoreReport;
+  load(
+    positions: Float64Array,
+    triangles: Uint32Array,
+    sourceVertices?: Uint32Array,
+    sourceFaces?: Uint32Array,
+  ): CoreReport;
   /** Chooses a method and the values of its parameters (absent: default). Keeps the current positions. */
   configure(method: string, values: EncodedValues): void;
   /** Goes back to the rest positions. */

@@ -1,7 +1,7 @@
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh, MeshReport, Weld } from '../mesh/mesh.ts';
-import { gather, spread, weldOf } from '../mesh/weld.ts';
-import type { Core, CoreField, CoreSession, Preparation, Step } from './core-api.ts';
+import { gather, solvedTriangles, spread, weldOf } from '../mesh/weld.ts';
+import type { Core, CoreField, CoreReport, CoreSession, Preparation, Step } from './core-api.ts';
 import type { EncodedValues } from './encode.ts';
 import { inCore } from './trap.ts';
 
@@ -29,9 +29,14 @@ export class LoadedMesh {
     this.#session = this.#call(() => core.open());
     try {
       const report = this.#call(() =>
-        this.#session.load(positions, this.weld.triangles, this.weld.positionOfVertex),
+        this.#session.load(
+          positions,
+          solvedTriangles(this.weld),
+          this.weld.positionOfVertex,
+          this.weld.solved?.faceOf,
+        ),
       );
-      this.report = { ...report, nearPlaces: this.weld.near?.places ?? 0 };
+      this.report = { ...report, ...ofWeld(this.weld) };
     } catch (thrown) {
       if (thrown instanceof WhittleError) this.free();
       throw thrown;
@@ -77,9 +82,12 @@ export class LoadedMesh {
   field(name: string): Float64Array<ArrayBuffer> {
     const field = this.fields().find((known) => known.name === name);
     if (!field) throw new WhittleError('bad-parameter', `There is no field “${name}” to show.`);
-    const values = new Float64Array(field.per === 'vertex' ? this.report.vertices : this.report.faces);
+    const faces = solvedTriangles(this.weld).length / 3;
+    const values = new Float64Array(field.per === 'vertex' ? this.report.vertices : faces);
     this.#call(() => this.#session.copyField(name, values));
-    if (field.per === 'face') return values;
+    const { solved } = this.weld;
+    if (field.per === 'face')
+      return solved ? Float64Array.from(solved.solvedOf, (face) => values[face]!) : values;
     return Float64Array.from(this.weld.vertexOfPosition, (vertex) => values[vertex]!);
   }
 
@@ -94,6 +102,17 @@ export class LoadedMesh {
       throw thrown instanceof WhittleError ? asSentence(thrown) : thrown;
     }
   }
+}
+
+/** What the weld knows and the core does not see. */
+function ofWeld({ triangles, near, solved }: Weld): Omit<MeshReport, keyof CoreReport> & { faces: number } {
+  return {
+    faces: triangles.length / 3,
+    nearPlaces: near?.places ?? 0,
+    duplicateFaces: solved?.repeated ?? 0,
+    turnedFaces: solved?.turned ?? 0,
+    oneSidedEdges: solved?.oneSidedEdges ?? 0,
+  };
 }
 
 /** The core's messages have neither capital nor full stop. */

@@ -128,8 +128,16 @@ function buffersOf(value: Calls[CallName]['answer']): ArrayBuffer[] {
   if (value === null || 'components' in value) return [];
   if ('positions' in value) return [value.positions.buffer];
   const { positions, triangles, weld, colors, uvs } = value.mesh;
-  const near = [weld?.near?.positions, weld?.near?.offsets];
-  const welded = [weld?.vertexOfPosition, weld?.positionOfVertex, weld?.triangles, ...near];
+  const { near, solved } = weld ?? {};
+  const parts = [
+    near?.positions,
+    near?.offsets,
+    solved?.triangles,
+    solved?.faceOf,
+    solved?.solvedOf,
+    solved?.isTurned,
+  ];
+  const welded = [weld?.vertexOfPosition, weld?.positionOfVertex, weld?.triangles, ...parts];
   const arrays = [positions, triangles, ...welded, colors, uvs, value.normalMap?.bytes];
   return arrays.flatMap((array) => (array ? [array.buffer] : []));
 }

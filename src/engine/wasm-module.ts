@@ -19,6 +19,7 @@ export interface WasmModule {
     triangles: number,
     faces: number,
     sourceVertices: number,
+    sourceFaces: number,
   ): number;
   _whittle_report(session: number, numbers: number): void;
   _whittle_select(session: number, method: number): number;
@@ -53,7 +54,7 @@ interface WasmOptions {
 }
 
 /** The version of the C interface that these declarations are of; `wasm/bindings/whittle.h` has it too. */
-const abiVersion = 2;
+const abiVersion = 3;
 
 type WasmFactory = (options: WasmOptions) => Promise<WasmModule>;
 

@@ -24,13 +24,24 @@ export class WasmSession implements CoreSession {
     this.#handle = module._whittle_create();
   }
 
-  load(positions: Float64Array, triangles: Uint32Array, sourceVertices?: Uint32Array): CoreReport {
-    const load = (positionsAt: number, trianglesAt: number, sourceAt: number) =>
+  load(
+    positions: Float64Array,
+    triangles: Uint32Array,
+    sourceVertices?: Uint32Array,
+    sourceFaces?: Uint32Array,
+  ): CoreReport {
+    const load = (positionsAt: number, trianglesAt: number, verticesAt: number, facesAt: number) =>
       this.#module._whittle_load(
         ...([this.#handle, positionsAt, positions.length / 3] as const),
-        ...([trianglesAt, triangles.length / 3, sourceVertices ? sourceAt : 0] as const),
+        ...([
+          trianglesAt,
+          triangles.length / 3,
+          sourceVertices ? verticesAt : 0,
+          sourceFaces ? facesAt : 0,
+        ] as const),
       );
-    const arrays = [positions, triangles, sourceVertices ?? new Uint32Array()];
+    const none = new Uint32Array();
+    const arrays = [positions, triangles, sourceVertices ?? none, sourceFaces ?? none];
     this.#check(this.#heap.withCopies(arrays, load));
     return this.#report();
   }
@@ -115,10 +126,10 @@ export class WasmSession implements CoreSession {
       vertices: at(0),
       faces: at(1),
       components: at(2),
-      boundaryEdges: at(3),
-      nonManifoldEdges: at(4),
-      degenerateFaces: at(5),
-      duplicateFaces: at(6),
+      typicalPart: at(3),
+      boundaryEdges: at(4),
+      nonManifoldEdges: at(5),
+      degenerateFaces: at(6),
       isolatedVertices: at(7),
       min: [at(8), at(9), at(10)],
       max: [at(11), at(12), at(13)],

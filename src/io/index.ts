@@ -1,5 +1,5 @@
 import type { Mesh } from '../mesh/mesh.ts';
-import { gather, weld } from '../mesh/weld.ts';
+import { gather, joinPlaces, weld } from '../mesh/weld.ts';
 import { plainBytes } from './bytes.ts';
 import { fitsFloat32, unfitPosition } from './fit.ts';
 import { type Format, formats, isFormat } from './formats.ts';
@@ -142,7 +142,7 @@ function cornerUvs(
 function shapeOf(file: ParsedFile, format: Format, positions: Float64Array): Shape {
   const { triangles } = triangulate(file.positions, file.faces);
   if (format === 'stl-binary' || format === 'stl-ascii') {
-    const joined = weld(file.positions, triangles);
+    const joined = joinPlaces(file.positions, triangles);
     const faces = triangleFaces(joined.triangles);
     return { positions: gather(positions, joined), faces, triangles: joined.triangles };
   }

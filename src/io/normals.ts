@@ -1,4 +1,4 @@
-import { weld } from '../mesh/weld.ts';
+import { joinPlaces } from '../mesh/weld.ts';
 import { type Faces, none } from './parsed-file.ts';
 import { newellVector, triangulate } from './polygon.ts';
 
@@ -40,7 +40,7 @@ export function newNormals(
 ): Float64Array {
   const sums = new FaceSums(faces, before, after);
   const units = unitVectors(stored.values);
-  const { vertexOfPosition, positionOfVertex } = weld(before, triangulate(before, faces).triangles);
+  const { vertexOfPosition, positionOfVertex } = joinPlaces(before, triangulate(before, faces).triangles);
   const around = cornersByVertex(faces.corners, vertexOfPosition, positionOfVertex.length);
   const totals = new Totals(stored.values.length);
   const fans = new Fans(units, sums, totals);

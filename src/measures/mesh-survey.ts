@@ -2,7 +2,7 @@ import { ringAreas } from '../mesh/areas.ts';
 import { gaussianCurvature, type Rings, ringsOf } from '../mesh/curvature.ts';
 import type { Mesh, Weld } from '../mesh/mesh.ts';
 import { NormalWriter } from '../mesh/normals.ts';
-import { gather, weldOf } from '../mesh/weld.ts';
+import { gather, solvedSourceTriangles, solvedTriangles, weldOf } from '../mesh/weld.ts';
 
 const surveys = new WeakMap<Mesh, Survey>();
 
@@ -28,12 +28,13 @@ export class Survey {
 
   constructor(mesh: Mesh) {
     this.#weld = weldOf(mesh);
-    const { triangles, vertexOfPosition, positionOfVertex } = this.#weld;
+    const { vertexOfPosition, positionOfVertex } = this.#weld;
+    const triangles = solvedTriangles(this.#weld);
     const vertices = positionOfVertex.length;
     this.#mesh = mesh;
     this.vertexOfPosition = vertexOfPosition;
     this.#rings = ringsOf(triangles, vertices);
-    this.#normals = new NormalWriter(mesh.triangles, triangles, vertexOfPosition, vertices);
+    this.#normals = new NormalWriter(solvedSourceTriangles(mesh), triangles, vertexOfPosition, vertices);
   }
 
   /** Unit normals, #P×3, of positions (#P×3). */
@@ -75,7 +76,7 @@ export class Survey {
   /** Area of the faces around each vertex, #V. */
   ringAreas(positions: Float64Array): Float64Array {
     return this.#remembered('areas', positions, () =>
-      ringAreas(gather(positions, this.#weld), this.#weld.triangles),
+      ringAreas(gather(positions, this.#weld), solvedTriangles(this.#weld)),
     );
   }
 

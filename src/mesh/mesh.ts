@@ -31,6 +31,26 @@ export interface Weld {
   readonly triangles: Uint32Array<ArrayBuffer>;
   /** What was joined though it differs by rounding; absent where nothing was. */
   readonly near?: NearPlaces;
+  /** What the solver takes in place of `triangles` where those repeat each other or disagree about the outside; else absent. */
+  readonly solved?: SolvedFaces;
+}
+
+/** What is made of a file's faces for the work: each place once, and neighbours looking the same way. */
+export interface SolvedFaces {
+  /** #S×3 welded vertices. */
+  readonly triangles: Uint32Array<ArrayBuffer>;
+  /** #S, the file's face that each is, rising. */
+  readonly faceOf: Uint32Array<ArrayBuffer>;
+  /** #F, the solved face that each of the file's is or repeats. */
+  readonly solvedOf: Uint32Array<ArrayBuffer>;
+  /** #S, 1 for those that are turned: corners 1 and 2 have changed places. */
+  readonly isTurned: Uint8Array<ArrayBuffer>;
+  /** How many faces are left out since they repeat another. */
+  readonly repeated: number;
+  /** How many are turned. */
+  readonly turned: number;
+  /** Edges whose two faces cannot look the same way, as on a Möbius strip. */
+  readonly oneSidedEdges: number;
 }
 
 /** Source positions that are not where the first position of their vertex is, but nearly. */
@@ -49,18 +69,24 @@ export interface MeshReport {
   readonly faces: number;
   /** Connected parts that have at least one face. */
   readonly components: number;
+  /** Vertices of a typical part: of the one in which the middle vertex lies, parts in order of their size. */
+  readonly typicalPart: number;
   readonly boundaryEdges: number;
   /** Edges with three faces or more. */
   readonly nonManifoldEdges: number;
   /** Faces of (numerically) zero area, those that use one vertex twice included. */
   readonly degenerateFaces: number;
-  /** Faces that repeat the three vertices of an earlier face. */
+  /** Faces that repeat the three vertices of an earlier face; they do not count for the work. */
   readonly duplicateFaces: number;
+  /** Faces that are turned for the work, so that neighbours look the same way. */
+  readonly turnedFaces: number;
+  /** Edges whose two faces cannot look the same way, as on a Möbius strip. */
+  readonly oneSidedEdges: number;
   /** Vertices that no face uses. They stay where they are. */
   readonly isolatedVertices: number;
   /** Places that differ from another only by rounding and count as that one. */
   readonly nearPlaces: number;
-  /** Axis-aligned box of all positions, in the file's units. */
+  /** Axis-aligned box of the positions that faces use, in the file's units. */
   readonly min: readonly [number, number, number];
   readonly max: readonly [number, number, number];
 }

@@ -4,7 +4,8 @@ const count = new Intl.NumberFormat('en');
 
 /** Sentences about what is odd in a mesh and what the solver does with it. Holes and several parts are not odd. */
 export function oddities(report: MeshReport): string[] {
-  const { isolatedVertices, degenerateFaces, duplicateFaces, nonManifoldEdges, nearPlaces } = report;
+  const { isolatedVertices, degenerateFaces, duplicateFaces, nonManifoldEdges } = report;
+  const { nearPlaces, turnedFaces, oneSidedEdges } = report;
   const sentences: string[] = [];
   const say = (number: number, one: string, many: string): void => {
     if (number > 0) sentences.push(number === 1 ? `1 ${one}` : `${count.format(number)} ${many}`);
@@ -26,8 +27,18 @@ export function oddities(report: MeshReport): string[] {
   );
   say(
     duplicateFaces,
-    'face repeats another; that place counts twice.',
-    'faces repeat others; those places count twice.',
+    'face repeats another; each place counts once.',
+    'faces repeat others; each place counts once.',
+  );
+  say(
+    turnedFaces,
+    'face looked the other way than its neighbours and is turned for the work.',
+    'faces looked the other way than their neighbours and are turned for the work.',
+  );
+  say(
+    oneSidedEdges,
+    'edge joins faces that cannot look the same way: the surface has only one side there.',
+    'edges join faces that cannot look the same way: the surface has only one side there.',
   );
   say(
     nonManifoldEdges,
@@ -42,7 +53,9 @@ export function remarks(report: MeshReport, hasUvs: boolean): string[] {
   const { components, boundaryEdges } = report;
   const sentences: string[] = [];
   if (components > 1)
-    sentences.push(`It has ${count.format(components)} separate parts; each is shaped on its own.`);
+    sentences.push(
+      `It has ${count.format(components)} separate parts; each is shaped on its own.`,
+    );
   if (boundaryEdges > 0)
     sentences.push(
       `${count.format(boundaryEdges)} boundary edges: the surface is open somewhere. That is fine.`,

@@ -1,5 +1,6 @@
 import type { Mesh, Weld } from './mesh.ts';
 import { joinNearPlaces } from './near-places.ts';
+import { cornersOfSolved, solvedFacesOf } from './solved-faces.ts';
 import { row, type Vec3 } from './vectors.ts';
 
 const welds = new WeakMap<Pick<Mesh, 'positions' | 'triangles'>, Weld>();
@@ -22,10 +23,19 @@ export function movedMesh(mesh: Mesh, positions: Float64Array<ArrayBuffer>): Mes
  * Merges positions that are one place, so that seams do not tear: those that are equal to the bit (−0 counts as 0; NaNs stay
  * apart) and, of those that faces use, those that differ only by rounding, see `near-places.ts`.
  *
+ * Faces that repeat each other or disagree about the outside are put right for the solver, see `solved-faces.ts`.
+ *
  * @param positions #P×3
  * @param triangles #F×3 indices into `positions`; indices out of range are left as they are for the core to name
  */
 export function weld(positions: Float64Array, triangles: Uint32Array): Weld {
+  const joined = joinPlaces(positions, triangles);
+  const solved = solvedFacesOf(gather(positions, joined), joined.triangles);
+  return solved ? { ...joined, solved } : joined;
+}
+
+/** The weld without a look at the faces, for those who want places alone. */
+export function joinPlaces(positions: Float64Array, triangles: Uint32Array): Weld {
   const exact = weldEqual(positions, triangles);
   const firstOfPlace = joinNearPlaces(gather(positions, exact), exact.triangles);
   return firstOfPlace ? weldNear(positions, triangles, exact, firstOfPlace) : exact;
@@ -83,6 +93,16 @@ function renamed(triangles: Uint32Array, vertexOfPosition: Uint32Array): Uint32A
     if (p < vertexOfPosition.length) welded[c] = vertexOfPosition[p]!;
   }
   return welded;
+}
+
+/** The faces that the solver takes, #S×3 welded vertices. */
+export const solvedTriangles = ({ solved, triangles }: Weld): Uint32Array<ArrayBuffer> =>
+  solved?.triangles ?? triangles;
+
+/** The same faces in source positions, #S×3. */
+export function solvedSourceTriangles(mesh: Mesh): Uint32Array<ArrayBuffer> {
+  const { solved } = weldOf(mesh);
+  return solved ? cornersOfSolved(mesh.triangles, solved) : mesh.triangles;
 }
 
 /** How far a source position lies from the first of its vertex; nothing where it is the same place. */

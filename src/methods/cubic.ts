@@ -10,7 +10,7 @@ export const cubic: MethodDescriptor = {
   shading: 'smooth',
   // Its solid has a Gauss map, though the method carves without one.
   targets: () => ({ style: 'polyhedron', lookedUpFrom: 'output' }),
-  startingValues: ({ report }) => ({ lambda: startingLambda(report.vertices) }),
+  startingValues: ({ report }) => ({ lambda: startingLambda(report.typicalPart) }),
   parameters: [
     {
       name: 'lambda',

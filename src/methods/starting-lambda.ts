@@ -10,7 +10,7 @@ const usualLambda = 0.45;
  * resists bending less as cells shrink. Fitted by eye with the page's own samples: 0.9 for the rabbit (2.8 k vertices), 0.45
  * for Suzanne (7.5 k), 0.3 for the vase (14 k).
  *
- * @param vertices count of the welded mesh
+ * @param vertices of a typical part: parts are bent each on its own
  */
 export function startingLambda(vertices: number): number {
   const lambda = usualLambda * (usualVertices / Math.max(1, vertices)) ** 0.7;
@@ -30,8 +30,8 @@ const coarse = 1000;
 
 /** What details keep at first: where a coarse mesh meets flat faces, the triangles their shape; elsewhere ARAP, the smoothest. */
 export function startingRegularizer(
-  { vertices, components }: Pick<MeshReport, 'vertices' | 'components'>,
+  { typicalPart }: Pick<MeshReport, 'typicalPart'>,
   map: GaussMap,
 ): 'arap' | 'farap' {
-  return map.kind === 'closest' && vertices < coarse * components ? 'farap' : 'arap';
+  return map.kind === 'closest' && typicalPart < coarse ? 'farap' : 'arap';
 }

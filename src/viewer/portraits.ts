@@ -11,7 +11,6 @@ import {
 import type { Mesh } from '../mesh/mesh.ts';
 import { Stage, type StageTheme } from './stage.ts';
 import { Surface } from './surface.ts';
-import { reachOf } from './view-frame.ts';
 
 /** What a portrait is of. */
 export interface Subject {
@@ -52,7 +51,7 @@ export class Portraits {
       this.#material.needsUpdate = true;
     }
     const body = new MeshObject(surface.geometry, this.#material);
-    body.scale.setScalar(1 / (reachOf(surface.drawn) || 1));
+    body.scale.setScalar(1 / (surface.reach || 1));
     this.#scene.add(body);
     this.#renderer.render(this.#scene, this.#camera);
     this.#scene.remove(body);

@@ -1,8 +1,9 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import { edgesOf } from '../mesh/edges.ts';
+import { type Extent, extentOf } from '../mesh/extent.ts';
 import type { Mesh } from '../mesh/mesh.ts';
 import { NormalWriter } from '../mesh/normals.ts';
-import { weldOf } from '../mesh/weld.ts';
+import { solvedSourceTriangles, solvedTriangles, weldOf } from '../mesh/weld.ts';
 import { frameOf, toView, type ViewFrame } from './view-frame.ts';
 
 /**
@@ -12,7 +13,13 @@ import { frameOf, toView, type ViewFrame } from './view-frame.ts';
 export class Surface {
   readonly geometry = new BufferGeometry();
   readonly frame: ViewFrame;
+  /** Of the file's own shape, along the axes, in view units. */
+  readonly size: readonly [x: number, y: number, z: number];
   readonly #mesh: Mesh;
+  /** #S×3: each place once, and looking the same way, or light would fall on both sides of it. */
+  readonly #triangles: Uint32Array<ArrayBuffer>;
+  /** Positions to look at, rising: none far from all that matters, and none that is no number. */
+  readonly #shown: Uint32Array;
   readonly #welded: { triangles: Uint32Array; vertices: number };
   readonly #normals: NormalWriter;
   readonly #position: BufferAttribute;
@@ -21,16 +28,22 @@ export class Surface {
 
   constructor(mesh: Mesh) {
     this.#mesh = mesh;
-    this.frame = frameOf(mesh.positions);
-    const { triangles, vertexOfPosition, positionOfVertex } = weldOf(mesh);
+    const extent = extentOf(mesh.positions, mesh.triangles);
+    this.frame = frameOf(extent);
+    this.#shown = insideOf(extent, mesh.positions);
+    const sideOf = (axis: 0 | 1 | 2): number => (extent.max[axis] - extent.min[axis]) * this.frame.scale;
+    this.size = [sideOf(0), sideOf(1), sideOf(2)];
+    const { vertexOfPosition, positionOfVertex } = weldOf(mesh);
     const vertices = positionOfVertex.length;
+    const triangles = solvedTriangles(weldOf(mesh));
+    this.#triangles = solvedSourceTriangles(mesh);
     this.#welded = { triangles, vertices };
-    this.#normals = new NormalWriter(mesh.triangles, triangles, vertexOfPosition, vertices);
+    this.#normals = new NormalWriter(this.#triangles, triangles, vertexOfPosition, vertices);
     this.#position = dynamic(mesh.positions.length);
     this.#normal = dynamic(mesh.positions.length);
     this.geometry.setAttribute('position', this.#position);
     this.geometry.setAttribute('normal', this.#normal);
-    this.geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
+    this.geometry.setIndex(new BufferAttribute(this.#triangles, 1));
     this.paint(null);
     this.write(mesh.positions);
   }
@@ -69,7 +82,7 @@ export class Surface {
     if (this.#edges) return this.#edges;
     const edges = new BufferGeometry();
     edges.setAttribute('position', this.#position);
-    const { ends } = edgesOf(this.#welded.triangles, this.#mesh.triangles, this.#welded.vertices);
+    const { ends } = edgesOf(this.#welded.triangles, this.#triangles, this.#welded.vertices);
     edges.setIndex(new BufferAttribute(ends, 1));
     this.#edges = edges;
     return edges;
@@ -78,7 +91,7 @@ export class Surface {
   /** Where the faces look. An open surface counts by the body it is most of; a sheet encloses nothing and has no inside. */
   get facing(): 'out' | 'in' | 'neither' {
     const x = this.drawn;
-    const corners = this.#mesh.triangles;
+    const corners = this.#triangles;
     let sixfoldVolume = 0;
     let doubledArea = 0;
     for (let c = 0; c < corners.length; c += 3) {
@@ -96,15 +109,34 @@ export class Surface {
 
   /** Smallest drawn coordinate on an axis (0, 1, 2): where the ground goes. */
   lowest(axis: 0 | 1 | 2): number {
+    const x = this.drawn;
     let low = Infinity;
-    for (let i: number = axis; i < this.drawn.length; i += 3) if (this.drawn[i]! < low) low = this.drawn[i]!;
+    for (const p of this.#shown) if (x[3 * p + axis]! < low) low = x[3 * p + axis]!;
     return Number.isFinite(low) ? low : 0;
+  }
+
+  /** How far from the middle of the frame the farthest of what is shown is. */
+  get reach(): number {
+    const x = this.drawn;
+    let square = 0;
+    for (const p of this.#shown)
+      square = Math.max(square, x[3 * p]! ** 2 + x[3 * p + 1]! ** 2 + x[3 * p + 2]! ** 2);
+    return Math.sqrt(square);
   }
 
   dispose(): void {
     this.geometry.dispose();
     this.#edges?.dispose();
   }
+}
+
+/** The positions in a box. */
+function insideOf({ min, max }: Extent, positions: Float64Array): Uint32Array {
+  const isInside = (p: number): boolean =>
+    [0, 1, 2].every(
+      (axis) => positions[3 * p + axis]! >= min[axis]! && positions[3 * p + axis]! <= max[axis]!,
+    );
+  return Uint32Array.from({ length: positions.length / 3 }, (_, p) => p).filter(isInside);
 }
 
 /** Bodies flatter than this, by volume for their area, are sheets. */

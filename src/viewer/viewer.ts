@@ -19,7 +19,7 @@ import { type Renderer, webGlRenderer } from './renderer.ts';
 import { Screen } from './screen.ts';
 import { lightTheme, Stage, type StageTheme } from './stage.ts';
 import { Surface } from './surface.ts';
-import { reachOf, toView } from './view-frame.ts';
+import { toView } from './view-frame.ts';
 
 export type { Insets } from './camera-rig.ts';
 export type { Renderer } from './renderer.ts';
@@ -118,7 +118,7 @@ export class Viewer {
     this.#turned.rotation.x = this.#zUp ? -Math.PI / 2 : 0;
     this.#paint();
     this.setShading(this.#shading);
-    this.#measure(mesh);
+    this.#measure();
     this.#rig.fit(this.#reach, false);
     this.#changed();
   }
@@ -218,7 +218,7 @@ export class Viewer {
 
   /** The ball to frame: what is drawn and some air, but never less than the file's own box, so that the camera mostly rests. */
   get #reach(): number {
-    return Math.max(1, this.#surface ? 1.08 * reachOf(this.#surface.drawn) : 1);
+    return Math.max(1, this.#surface ? 1.08 * this.#surface.reach : 1);
   }
 
   #paint(): void {
@@ -232,14 +232,9 @@ export class Viewer {
     this.#ink.opacity = this.#theme.wireOpacity;
   }
 
-  #measure(mesh: Mesh): void {
-    const { center, scale } = this.#surface!.frame;
-    const extent = [0, 0, 0];
-    for (let i = 0; i < mesh.positions.length; i++) {
-      const axis = i % 3;
-      extent[axis] = Math.max(extent[axis]!, 2 * Math.abs(mesh.positions[i]! - center[axis]!) * scale);
-    }
-    this.#stage.setFootprint([extent[0]!, this.#zUp ? extent[1]! : extent[2]!]);
+  #measure(): void {
+    const [x, y, z] = this.#surface!.size;
+    this.#stage.setFootprint([x, this.#zUp ? y : z]);
   }
 
   #changed(): void {

@@ -79,8 +79,14 @@ class FakeSession implements CoreSession {
     this.#rest = positions.slice();
     this.#current = positions.slice();
     return {
-      ...{ vertices: positions.length / 3, faces: triangles.length / 3, components: 1, boundaryEdges: 0 },
-      ...{ nonManifoldEdges: 0, degenerateFaces: 0, duplicateFaces: 0, isolatedVertices: 0 },
+      ...{
+        vertices: positions.length / 3,
+        faces: triangles.length / 3,
+        components: 1,
+        typicalPart: positions.length / 3,
+        boundaryEdges: 0,
+      },
+      ...{ nonManifoldEdges: 0, degenerateFaces: 0, isolatedVertices: 0 },
       ...{ min: [0, 0, 0] as const, max: [1, 1, 1] as const },
     };
   }

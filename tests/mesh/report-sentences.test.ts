@@ -6,12 +6,15 @@ const sound: MeshReport = {
   vertices: 8,
   faces: 12,
   components: 2,
+  typicalPart: 4,
   boundaryEdges: 4,
   nonManifoldEdges: 0,
   degenerateFaces: 0,
   duplicateFaces: 0,
   isolatedVertices: 0,
   nearPlaces: 0,
+  turnedFaces: 0,
+  oneSidedEdges: 0,
   min: [0, 0, 0],
   max: [1, 1, 1],
 };
@@ -27,6 +30,9 @@ test.each([
   [{ nearPlaces: 7 }, '7 places differ from others only by rounding'],
   [{ degenerateFaces: 2 }, '2 faces have no area'],
   [{ duplicateFaces: 1 }, '1 face repeats another'],
+  [{ duplicateFaces: 4 }, '4 faces repeat others'],
+  [{ turnedFaces: 9 }, '9 faces looked the other way'],
+  [{ oneSidedEdges: 2 }, '2 edges join faces that cannot look the same way'],
   [{ nonManifoldEdges: 5 }, '5 edges join three faces or more'],
 ])('%o is told in one sentence', (odd, beginning) => {
   const [sentence, ...others] = oddities({ ...sound, ...odd });

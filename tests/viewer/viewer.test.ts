@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { edgesOf } from '../../src/mesh/edges.ts';
+import { extentOf } from '../../src/mesh/extent.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { Morph } from '../../src/viewer/morph.ts';
 import { Pace } from '../../src/viewer/pace.ts';
@@ -124,5 +125,8 @@ describe('the pace of drawing', () => {
 });
 
 it('a mesh of one point has a frame all the same', () => {
-  expect(frameOf(Float64Array.of(2, 3, 4))).toEqual({ center: [2, 3, 4], scale: 1 });
+  expect(frameOf(extentOf(Float64Array.of(2, 3, 4), Uint32Array.of(0, 0, 0)))).toEqual({
+    center: [2, 3, 4],
+    scale: 1,
+  });
 });

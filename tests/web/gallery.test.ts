@@ -53,8 +53,8 @@ describe('choosing a style', () => {
     set({ regularizer: 'acap' }, 'Keeps');
     await styles.choose(entry('cube'));
     expect(regularizer()).toBe('acap');
-    expect(startingRegularizer({ vertices: 1800, components: 1 }, faceted)).toBe('arap');
-    expect(startingRegularizer({ vertices: 1800, components: 3 }, faceted)).toBe('farap');
+    expect(startingRegularizer({ typicalPart: 1800 }, faceted)).toBe('arap');
+    expect(startingRegularizer({ typicalPart: 600 }, faceted)).toBe('farap');
   });
 
   it('stays on when another mesh is opened', async () => {

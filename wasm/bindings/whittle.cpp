@@ -17,19 +17,20 @@ struct WhittleSession {
   }
 };
 
-int32_t whittle_abi_version() { return 2; }
+int32_t whittle_abi_version() { return 3; }
 
 WhittleSession* whittle_create() { return new WhittleSession; }
 
 void whittle_destroy(WhittleSession* session) { delete session; }
 
 int whittle_load(WhittleSession* session, const double* positions, int32_t vertex_count, const int32_t* triangles,
-                 int32_t face_count, const int32_t* source_vertices) {
-  std::vector<Index> source;
-  if (source_vertices) source.assign(source_vertices, source_vertices + vertex_count);
+                 int32_t face_count, const int32_t* source_vertices, const int32_t* source_faces) {
+  std::vector<Index> vertices, faces;
+  if (source_vertices) vertices.assign(source_vertices, source_vertices + vertex_count);
+  if (source_faces) faces.assign(source_faces, source_faces + face_count);
   return session->keep(session->session.load(
       {Eigen::Map<const Points>(positions, vertex_count, 3), Eigen::Map<const Triangles>(triangles, face_count, 3)},
-      std::move(source)));
+      std::move(vertices), std::move(faces)));
 }
 
 void whittle_report(const WhittleSession* session, double* numbers) {
@@ -37,10 +38,10 @@ void whittle_report(const WhittleSession* session, double* numbers) {
   const double all[] = {double(r.vertices),
                         double(r.faces),
                         double(r.components),
+                        double(r.typicalPart),
                         double(r.boundaryEdges),
                         double(r.nonManifoldEdges),
                         double(r.degenerateFaces),
-                        double(r.duplicateFaces),
                         double(r.isolatedVertices),
                         r.min.x(),
                         r.min.y(),

@@ -19,7 +19,7 @@ extern "C" {
 
 typedef struct WhittleSession WhittleSession;
 
-/// The version of this interface, 2. A caller that was written for another refuses to go on.
+/// The version of this interface, 3. A caller that was written for another refuses to go on.
 WHITTLE_API int32_t whittle_abi_version(void);
 
 WHITTLE_API WhittleSession* whittle_create(void);
@@ -28,10 +28,12 @@ WHITTLE_API void whittle_destroy(WhittleSession* session);
 /// Takes a mesh: positions #V×3 and triangles #F×3, both copied.
 /// @param source_vertices #V, the number that the file has for each vertex (of those that became one, the first); null
 ///   where it is the same. Sentences and elements of failures speak of these numbers.
+/// @param source_faces #F, likewise of each face
 WHITTLE_API int whittle_load(WhittleSession* session, const double* positions, int32_t vertex_count,
-                             const int32_t* triangles, int32_t face_count, const int32_t* source_vertices);
-/// Writes what the core says of the loaded mesh, 14 numbers: vertices, faces, components, boundary edges, non-manifold
-/// edges, degenerate faces, duplicate faces, isolated vertices, box min xyz, box max xyz.
+                             const int32_t* triangles, int32_t face_count, const int32_t* source_vertices,
+                             const int32_t* source_faces);
+/// Writes what the core says of the loaded mesh, 14 numbers: vertices, faces, components, vertices of a typical part, boundary edges, non-manifold
+/// edges, degenerate faces, isolated vertices, box min xyz, box max xyz.
 WHITTLE_API void whittle_report(const WhittleSession* session, double* numbers);
 
 WHITTLE_API int whittle_select(WhittleSession* session, const char* method);

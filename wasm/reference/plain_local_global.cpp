@@ -178,7 +178,7 @@ double relativeDisplacement(const Points& before, const Points& after, const Poi
 }
 
 TriangleMesh inUnitFrame(TriangleMesh mesh) {
-  const UnitFrame frame = UnitFrame::of(mesh.positions);
+  const UnitFrame frame = UnitFrame::of(mesh);
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     mesh.positions.row(v) = frame.toUnit(mesh.positions.row(v).transpose()).transpose();
   }

@@ -1,6 +1,6 @@
 import { WhittleError } from '../../mesh/failure.ts';
 import { add, length, row, scale, subtract, unit, type Vec3 } from '../../mesh/vectors.ts';
-import { gather, weldOf } from '../../mesh/weld.ts';
+import { gather, solvedTriangles, weldOf } from '../../mesh/weld.ts';
 import { areaVectors, type Surface, volume } from './surface.ts';
 
 /** A style's normals on the unit sphere: the Gauss map A → A′ of an analogy, as the core takes it. */
@@ -28,9 +28,13 @@ const roundness = 1e-3;
  */
 export function sphereNormals(style: Surface, flowed: Float64Array): SphereNormals {
   const weld = weldOf(style);
-  const { triangles, vertexOfPosition } = weld;
+  const triangles = solvedTriangles(weld);
+  const { vertexOfPosition } = weld;
   const positions = gather(style.positions, weld);
-  const surface: Surface = { positions, triangles: volume(style) < 0 ? turnedOver(triangles) : triangles };
+  const surface: Surface = {
+    positions,
+    triangles: volume({ positions, triangles }) < 0 ? turnedOver(triangles) : triangles,
+  };
   const vectors = areaVectors(surface);
   const points = new Float64Array(positions.length);
   const center = areaCentroid(surface, vectors);

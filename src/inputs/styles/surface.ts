@@ -1,6 +1,6 @@
 import type { Mesh } from '../../mesh/mesh.ts';
 import { cross, dot, doubledAreaVector, row, type Vec3 } from '../../mesh/vectors.ts';
-import { gather, weld } from '../../mesh/weld.ts';
+import { gather, joinPlaces } from '../../mesh/weld.ts';
 
 /** What the shapes here are made of: a {@link Mesh} is one, a solver's result another. */
 export type Surface = Pick<Mesh, 'positions' | 'triangles'>;
@@ -11,7 +11,7 @@ export type Triangle = readonly [number, number, number];
 /** A mesh of points and triangles; equal points become one vertex. */
 export function meshOf(points: readonly Vec3[], triangles: readonly Triangle[]): Mesh {
   const positions = Float64Array.from(points.flat());
-  const joined = weld(positions, Uint32Array.from(triangles.flat()));
+  const joined = joinPlaces(positions, Uint32Array.from(triangles.flat()));
   return { positions: gather(positions, joined), triangles: joined.triangles };
 }
 

@@ -1,4 +1,5 @@
 import { WhittleError } from '../../mesh/failure.ts';
+import { cornersOfSolved } from '../../mesh/solved-faces.ts';
 import { noIndices, type Parameter, type ValueKind } from './parameter.ts';
 import { show } from './show.ts';
 
@@ -32,14 +33,18 @@ export const textureSlopes: ValueKind<TextureSlopesParameter, ImageName | Textur
       return undefined;
     return `must name an image or a pattern, or be the slopes of a texture, not ${show(value)}.`;
   },
-  encode({ name }, value) {
+  encode({ name }, value, { solved }) {
     if (typeof value === 'string') {
       throw new WhittleError(
         'bad-parameter',
         `“${name}” is the name “${value}”, but the engine takes slopes; make them with textureSlopesOf first.`,
       );
     }
-    const { uvs, slopes } = value;
+    const [uvs, slopes] = [value.uvs, value.slopes].map((ofCorners) =>
+      solved && ofCorners.length === 6 * solved.solvedOf.length
+        ? cornersOfSolved(ofCorners, solved, 2)
+        : ofCorners,
+    ) as [Float32Array, Float32Array];
     const numbers = new Float64Array(uvs.length + slopes.length);
     numbers.set(uvs);
     numbers.set(slopes, uvs.length);

@@ -70,7 +70,6 @@ TEST_CASE("what is odd but workable is counted") {
   REQUIRE(validate(mesh).ok());
   const MeshReport report = inspect(mesh);
   CHECK(report.isolatedVertices == 2);
-  CHECK(report.duplicateFaces == 1);
   CHECK(report.degenerateFaces == 2);
   CHECK(report.nonManifoldEdges > 0);
   CHECK(report.components == 1);
@@ -87,7 +86,7 @@ TEST_CASE("parts are numbered by their first vertex") {
 TEST_CASE("the unit frame is a similarity and undoes itself") {
   TriangleMesh mesh = bent(sphere(2));
   mesh.positions = (mesh.positions * 250).rowwise() + Eigen::RowVector3d(1e4, -2e4, 3e3);
-  const UnitFrame frame = UnitFrame::of(mesh.positions);
+  const UnitFrame frame = UnitFrame::of(mesh);
   Vec3 mean = Vec3::Zero();
   Eigen::AlignedBox3d box;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
@@ -98,4 +97,37 @@ TEST_CASE("the unit frame is a similarity and undoes itself") {
   }
   CHECK(mean.norm() < 1e-12);
   CHECK(box.sizes().maxCoeff() == doctest::Approx(1));
+}
+
+TEST_CASE("only what faces use must be finite, and only that has a box") {
+  TriangleMesh mesh = grid(3);
+  mesh.positions.conservativeResize(11, 3);
+  mesh.positions.row(9).setConstant(std::numeric_limits<double>::quiet_NaN());
+  mesh.positions.row(10).setConstant(1e308);
+  CHECK(validate(mesh).ok());
+  CHECK(inspect(mesh).max == Vec3(1, 1, 0));
+}
+
+TEST_CASE("far strays do not count for the unit frame, whatever the axis; what is near does") {
+  const TriangleMesh body = sphere(3);
+  const UnitFrame alone = UnitFrame::of(body);
+  TriangleMesh speck = sphere(0);
+  speck.positions *= 1e-3;
+  for (const Vec3& far : {Vec3(3e4, 0, 0), Vec3(-2, -5e3, 1), Vec3(1e7, 1e7, 1e7)}) {
+    const UnitFrame frame = UnitFrame::of(together(body, speck, far));
+    CHECK(frame.scale == alone.scale);
+    CHECK(frame.center == alone.center);
+  }
+  const TriangleMesh two = together(together(body, speck, Vec3(1e4, 0, 0)), speck, Vec3(0, 0, -1e5));
+  CHECK(UnitFrame::of(two).scale == alone.scale);
+  CHECK(UnitFrame::of(together(body, speck, Vec3(20, 0, 0))).scale == doctest::Approx(21).epsilon(0.01));
+  CHECK(UnitFrame::of(together(body, body, Vec3(150, 0, 0))).scale == doctest::Approx(152));
+}
+
+TEST_CASE("a typical part is that of the middle vertex") {
+  CHECK(inspect(sphere(3)).typicalPart == 258);
+  CHECK(inspect(together(sphere(3), sphere(1), Vec3(3, 0, 0))).typicalPart == 258);
+  TriangleMesh many = sphere(1);
+  for (int n = 1; n < 30; ++n) many = together(many, sphere(1), Vec3(3 * n, 0, 0));
+  CHECK(inspect(together(many, sphere(3), Vec3(0, 5, 0))).typicalPart == 18);
 }

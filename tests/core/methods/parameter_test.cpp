@@ -65,7 +65,7 @@ struct Bench {
     Stale made = Stale::nothing;
     return values.set(parameter, raw, context(), made);
   }
-  MeshContext context() const { return {mesh.vertexCount(), mesh.faceCount(), UnitFrame::of(mesh.positions)}; }
+  MeshContext context() const { return {mesh.vertexCount(), mesh.faceCount(), UnitFrame::of(mesh)}; }
 };
 
 GaussMapData tetrahedron(GaussMapData::Kind kind) {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "support/shapes.h"
@@ -166,4 +167,44 @@ TEST_CASE("the registry describes itself as JSON") {
   CHECK(json.find("\"id\":\"cubic\"") != std::string::npos);
   CHECK(json.find("\"name\":\"lambda\",\"kind\":\"number\",\"invalidates\":\"weights\",\"default\":0.2") !=
         std::string::npos);
+}
+
+TEST_CASE("a stray vertex or part far away changes nothing, and stays where it is") {
+  const auto carved = [](const TriangleMesh& mesh) {
+    Session session;
+    REQUIRE(session.load(mesh).ok());
+    REQUIRE(session.select("cubic").ok());
+    REQUIRE(session.prepare().ok());
+    for (StepReport report; report.outcome == Outcome::running;) REQUIRE(session.step(report).ok());
+    Points positions(mesh.vertexCount(), 3);
+    session.copyPositions(positions.data());
+    return positions;
+  };
+  const TriangleMesh body = animal(3);
+  const Points alone = carved(body);
+  TriangleMesh speck = sphere(0);
+  speck.positions *= 1e-2;
+  const Points beside = carved(together(body, speck, Vec3(1e4, -1e4, 0)));
+  CHECK((beside.topRows(body.vertexCount()) - alone).cwiseAbs().maxCoeff() < 1e-4);
+
+  TriangleMesh strays = body;
+  strays.positions.conservativeResize(body.vertexCount() + 2, 3);
+  strays.positions.row(body.vertexCount()) << 1e6, 2e6, std::numeric_limits<double>::quiet_NaN();
+  strays.positions.row(body.vertexCount() + 1) << 1e5, -3, 7;
+  const Points left = carved(strays);
+  CHECK((left.topRows(body.vertexCount()) - alone).cwiseAbs().maxCoeff() < 1e-5);
+  CHECK(left.bottomRows<1>() == strays.positions.bottomRows<1>());
+  CHECK(left.row(body.vertexCount()).head<2>() == strays.positions.row(body.vertexCount()).head<2>());
+  CHECK(std::isnan(left(body.vertexCount(), 2)));
+}
+
+TEST_CASE("refusals name faces by the number that the file has") {
+  TriangleMesh mesh = sphere(1);
+  mesh.triangles(4, 1) = 99;
+  std::vector<Index> faces(mesh.faceCount());
+  for (Index f = 0; f < mesh.faceCount(); ++f) faces[f] = 10 * f;
+  Session session;
+  const Status status = session.load(mesh, {}, faces);
+  CHECK(status.element.index == 40);
+  CHECK(status.message.find("face 40") != std::string::npos);
 }

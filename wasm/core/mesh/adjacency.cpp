@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include "base/tiering.h"
 
@@ -44,22 +43,6 @@ WHITTLE_OWN_FUNCTION void countEdgesAt(Index v, const Triangles& triangles, cons
   });
 }
 
-/// Counts the duplicates among the faces whose lowest vertex is v.
-/// @param others scratch
-WHITTLE_OWN_FUNCTION Index countDuplicatesAt(Index v, const Triangles& triangles, const Fans& fans,
-                                             std::vector<std::pair<Index, Index>>& others) {
-  others.clear();
-  for (Index p = fans.start[v]; p < fans.start[v + 1]; ++p) {
-    const Index f = fans.corners[p] / 3;
-    const bool isAgain = p > fans.start[v] && fans.corners[p - 1] / 3 == f;  // a face that uses v twice
-    const int* const k = kOtherCorners[fans.corners[p] % 3];
-    const auto [low, high] = std::minmax(triangles(f, k[0]), triangles(f, k[1]));
-    if (low >= v && !isAgain) others.emplace_back(low, high);
-  }
-  std::sort(others.begin(), others.end());
-  return static_cast<Index>(others.end() - std::unique(others.begin(), others.end()));
-}
-
 }  // namespace
 
 Components connectedComponents(const Triangles& triangles, Index vertexCount) {
@@ -93,14 +76,6 @@ EdgeCounts countEdges(const Triangles& triangles, const Fans& fans) {
   for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v)
     countEdgesAt(v, triangles, fans, faceCounts.data(), counts);
   return counts;
-}
-
-Index countDuplicateFaces(const Triangles& triangles, const Fans& fans) {
-  Index count = 0;
-  std::vector<std::pair<Index, Index>> others;
-  for (Index v = 0; v + 1 < static_cast<Index>(fans.start.size()); ++v)
-    count += countDuplicatesAt(v, triangles, fans, others);
-  return count;
 }
 
 }  // namespace whittle

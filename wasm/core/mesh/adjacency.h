@@ -36,7 +36,4 @@ struct EdgeCounts {
 
 EdgeCounts countEdges(const Triangles& triangles, const Fans& fans);
 
-/// Faces that have the same three vertices as an earlier one, in any order.
-Index countDuplicateFaces(const Triangles& triangles, const Fans& fans);
-
 }  // namespace whittle

@@ -2,9 +2,10 @@
 
 namespace whittle {
 
-Box boundingBox(const Points& positions) {
+Box boundingBox(const TriangleMesh& mesh) {
   Box box;
-  for (Index v = 0; v < positions.rows(); ++v) box.extend(positions.row(v).transpose());
+  for (Index corner = 0; corner < mesh.triangles.size(); ++corner)
+    box.extend(mesh.positions.row(mesh.triangles.data()[corner]).transpose());
   return box;
 }
 

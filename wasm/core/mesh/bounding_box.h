@@ -1,12 +1,12 @@
 #pragma once
 
-#include "base/types.h"
+#include "mesh/triangle_mesh.h"
 
 namespace whittle {
 
 using Box = Eigen::AlignedBox3d;
 
-/// The smallest box around finite positions (#V×3).
-Box boundingBox(const Points& positions);
+/// The smallest box around the vertices that faces use.
+Box boundingBox(const TriangleMesh& mesh);
 
 }  // namespace whittle

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,12 +43,13 @@ Status checkIndices(const TriangleMesh& mesh) {
 }
 
 Status checkPositions(const TriangleMesh& mesh) {
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+  for (Index corner = 0; corner < mesh.triangles.size(); ++corner) {
+    const Index v = mesh.triangles.data()[corner];
     if (mesh.positions.row(v).allFinite()) continue;
     return Status::failure(Code::notFinite, "vertex {} has a coordinate that is not a number; repair or remove it",
                            Element::vertex(v));
   }
-  const Vec3 extent = boundingBox(mesh.positions).sizes();
+  const Vec3 extent = boundingBox(mesh).sizes();
   if (!extent.allFinite() || extent.squaredNorm() > 1e300) {
     return Status::failure(Code::notFinite, "the coordinates are too large to compute with; scale the mesh down");
   }
@@ -58,6 +60,19 @@ Status checkPositions(const TriangleMesh& mesh) {
     if (thickness(mesh, f) > kDegenerateThickness) return {};
   }
   return Status::failure(Code::zeroExtent, "all faces have zero area, so there is no surface to work on");
+}
+
+/// Vertices of the part of which the middle one of all used vertices is, parts in order of their size.
+Index typicalSize(const Components& parts, Index usedVertices) {
+  std::vector<Index> sizes(parts.count, 0);
+  for (const Index part : parts.ofVertex) ++sizes[part];
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  Index seen = 0;
+  for (const Index size : sizes) {
+    seen += size;
+    if (2 * seen >= usedVertices) return size;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -90,14 +105,15 @@ MeshReport inspect(const TriangleMesh& mesh) {
     report.degenerateFaces += thickness(mesh, f) <= kDegenerateThickness;
   }
   report.isolatedVertices = static_cast<Index>(std::count(used.begin(), used.end(), false));
-  report.components = connectedComponents(mesh.triangles, mesh.vertexCount()).count - report.isolatedVertices;
+  const Components parts = connectedComponents(mesh.triangles, mesh.vertexCount());
+  report.components = parts.count - report.isolatedVertices;
+  report.typicalPart = typicalSize(parts, mesh.vertexCount() - report.isolatedVertices);
 
   const Fans fans(mesh.triangles, mesh.vertexCount());
   const EdgeCounts edges = countEdges(mesh.triangles, fans);
   report.boundaryEdges = edges.boundary;
   report.nonManifoldEdges = edges.nonManifold;
-  report.duplicateFaces = countDuplicateFaces(mesh.triangles, fans);
-  const Box box = boundingBox(mesh.positions);
+  const Box box = boundingBox(mesh);
   report.min = box.min();
   report.max = box.max();
   return report;

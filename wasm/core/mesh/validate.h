@@ -7,7 +7,7 @@ namespace whittle {
 
 /// The one door: refuses what no method can work on, names the bad element and says what to do. Fails with `noFaces`,
 /// `tooLarge`, `indexOutOfRange` (element: face), `notFinite` (element: vertex) or `zeroExtent`. Everything else
-/// (holes, several parts, non-manifold edges, zero-area or repeated faces, unused vertices) is let through and
+/// (holes, several parts, non-manifold edges, zero-area faces, unused vertices wherever they are) is let through and
 /// reported.
 Status validate(const TriangleMesh& mesh);
 
@@ -16,12 +16,12 @@ struct MeshReport {
   Index vertices = 0;
   Index faces = 0;
   Index components = 0;        // parts with at least one face
+  Index typicalPart = 0;       // vertices of the part of which the middle vertex is, parts in order of their size
   Index boundaryEdges = 0;     // edges with one face
   Index nonManifoldEdges = 0;  // edges with three faces or more
   Index degenerateFaces = 0;   // faces of zero area, to rounding
-  Index duplicateFaces = 0;
   Index isolatedVertices = 0;  // vertices without a face
-  Vec3 min = Vec3::Zero();     // box of all positions
+  Vec3 min = Vec3::Zero();     // box of the vertices that faces use
   Vec3 max = Vec3::Zero();
 };
 

@@ -4,18 +4,21 @@
 
 namespace whittle {
 
-Status Session::load(TriangleMesh mesh, std::vector<Index> sourceVertices) {
+Status Session::load(TriangleMesh mesh, std::vector<Index> sourceVertices, std::vector<Index> sourceFaces) {
   *this = Session();
   sourceVertices_ = std::move(sourceVertices);
+  sourceFaces_ = std::move(sourceFaces);
   Status status = validate(mesh);
   if (!status.ok()) return inFileNumbers(status);
 
   report_ = inspect(mesh);
   filePositions_ = mesh.positions;
-  frame_ = UnitFrame::of(mesh.positions);
+  frame_ = UnitFrame::of(mesh);
   rest_ = std::move(mesh);
   for (Index v = 0; v < rest_.vertexCount(); ++v) {
     rest_.positions.row(v) = frame_.toUnit(filePositions_.row(v).transpose()).transpose();
+    // Only a vertex without a face: it stays where it is, whatever that is.
+    if (!rest_.positions.row(v).allFinite()) rest_.positions.row(v).setZero();
   }
   restart();
   return {};
@@ -23,10 +26,10 @@ Status Session::load(TriangleMesh mesh, std::vector<Index> sourceVertices) {
 
 Status Session::inFileNumbers(const Status& status) const {
   if (status.ok() || status.element.kind == Element::Kind::none) return status;
+  const std::vector<Index>& source = status.element.kind == Element::Kind::vertex ? sourceVertices_ : sourceFaces_;
   const Index index = status.element.index;
-  const bool isMapped =
-      status.element.kind == Element::Kind::vertex && index >= 0 && index < static_cast<Index>(sourceVertices_.size());
-  return status.numbered(isMapped ? sourceVertices_[index] : index);
+  const bool isMapped = index >= 0 && index < static_cast<Index>(source.size());
+  return status.numbered(isMapped ? source[index] : index);
 }
 
 Status Session::select(const std::string& method) {

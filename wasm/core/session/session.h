@@ -24,7 +24,8 @@ class Session {
 
   /// Takes a mesh and reports on it; forgets everything else. Fails as `validate` does and then holds no mesh.
   /// @param sourceVertices #V, the number that the file has for each vertex; empty where it is the same
-  Status load(TriangleMesh mesh, std::vector<Index> sourceVertices = {});
+  /// @param sourceFaces #F, likewise of each face
+  Status load(TriangleMesh mesh, std::vector<Index> sourceVertices = {}, std::vector<Index> sourceFaces = {});
   const MeshReport& report() const { return report_; }
 
   /// Chooses a method; its parameters get their defaults unless it was chosen already. Fails with `unknownMethod`.
@@ -73,6 +74,7 @@ class Session {
 
   Points filePositions_;               // #V×3, as loaded
   std::vector<Index> sourceVertices_;  // #V, or empty
+  std::vector<Index> sourceFaces_;     // #F, or empty
   TriangleMesh rest_;                  // in the unit frame, by `vertexOrder_`
   UnitFrame frame_;
   VertexOrder vertexOrder_;

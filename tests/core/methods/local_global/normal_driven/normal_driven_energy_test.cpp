@@ -18,7 +18,7 @@ const std::string kAll[] = {kArap, kFarap, kAcap};
 
 /// The mesh in the frame in which the core computes.
 TriangleMesh inUnitFrame(TriangleMesh mesh) {
-  const UnitFrame frame = UnitFrame::of(mesh.positions);
+  const UnitFrame frame = UnitFrame::of(mesh);
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     mesh.positions.row(v) = frame.toUnit(mesh.positions.row(v).transpose()).transpose();
   }
