@@ -16,9 +16,9 @@ describe('what matters of a mesh', () => {
     [3e4, 0, 0],
     [-2, -5e3, 1],
     [1e7, 1e7, 1e7],
-  ] as const)('a speck at %f, %f, %f does not', (...offset) => {
-    expect(extent(beside(ball, speck, ...offset))).toEqual(extent(ball));
-    expect(extent(beside(beside(ball, speck, ...offset), speck, 0, 0, -1e5))).toEqual(extent(ball));
+  ] as const)('a speck at %f, %f, %f does not', (x, y, z) => {
+    expect(extent(beside(ball, speck, x, y, z))).toEqual(extent(ball));
+    expect(extent(beside(beside(ball, speck, x, y, z), speck, 0, 0, -1e5))).toEqual(extent(ball));
   });
 
   test('what no face uses does not, nor faces without a place', () => {
