@@ -1,5 +1,5 @@
 import { readFile, realpath, rename, rm, stat, writeFile } from 'node:fs/promises';
-import { dirname } from 'node:path';
+import { dirname, join } from 'node:path';
 import { FileError } from './problems.ts';
 
 /** @throws FileError */
@@ -9,6 +9,11 @@ export async function readBytes(path: string): Promise<Uint8Array<ArrayBuffer>> 
   } catch (thrown) {
     throw fileError(path, thrown, 'read');
   }
+}
+
+/** The bytes of a file by its path from the folder of another; undefined where there is none to be read. */
+export async function readBeside(file: string, path: string): Promise<Uint8Array<ArrayBuffer> | undefined> {
+  return readBytes(join(dirname(file), path)).catch(() => undefined);
 }
 
 /** @throws FileError */

@@ -1,10 +1,11 @@
 import { dirname, isAbsolute, join } from 'node:path';
 import type { Engine } from '../engine/client.ts';
+import { gatherBeside } from '../engine/gather.ts';
 import { formatForFileName, isFormat } from '../io/index.ts';
 import { at } from '../mesh/failure.ts';
 import { type RecipeStep, runRecipe } from '../recipe/index.ts';
 import type { RunFiles } from './command.ts';
-import { readBytes, requireFolderOf, writeWhole } from './files.ts';
+import { readBeside, readBytes, requireFolderOf, writeWhole } from './files.ts';
 import { UsageError } from './problems.ts';
 import type { ProgressLine } from './progress.ts';
 import { inputReport, type RunReport, stepReport } from './report.ts';
@@ -33,7 +34,8 @@ export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
   progress.show(`reading ${input}`);
   const reading = stopwatch();
   const source = await readBytes(input);
-  const { format, warnings, ...surface } = await engine.read(source, input, { signal });
+  const beside = await gatherBeside(engine, source, input, { read: (path) => readBeside(input, path) });
+  const { format, warnings, ...surface } = await engine.read(source, input, { signal, beside });
   const readMilliseconds = reading();
 
   const name = ({ method }: RecipeStep, index: number) =>
@@ -56,9 +58,11 @@ export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
   progress.show(`writing ${out}`);
   const writing = stopwatch();
   const outFormat = formatForFileName(out, isFormat(format) ? format : undefined);
-  const bytes = await at(out, engine.write(source, input, outFormat, run.mesh.positions));
-  await writeWhole(out, bytes);
+  const { positions } = run.mesh;
+  const written = await at(out, engine.write(source, input, outFormat, positions, { beside }));
+  await writeWhole(out, written.bytes);
   reports.at(-1)!.milliseconds.write = writing();
+  reports.at(-1)!.warnings.push(...written.warnings);
 
   const report = { input: inputReport(run.input), steps: reports };
   if (files.report !== undefined) await writeWhole(files.report, `${JSON.stringify(report, null, 2)}\n`);

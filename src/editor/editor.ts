@@ -1,5 +1,5 @@
 import type { Engine } from '../engine/client.ts';
-import type { Format } from '../io/index.ts';
+import type { FilesBeside, Format } from '../io/index.ts';
 import { toFailure } from '../mesh/failure.ts';
 import { findMethod } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
@@ -20,7 +20,7 @@ import {
 } from './project.ts';
 import { recipeOf } from './saved-recipe.ts';
 import { startingStep, styleParameter } from './starting-step.ts';
-import { type EditorStore, idle } from './state.ts';
+import { type EditorState, type EditorStore, idle } from './state.ts';
 import {
   activateStep,
   addStep,
@@ -69,12 +69,20 @@ export class Editor {
     return this.store.state.project;
   }
 
-  /** Opens a file and runs its stack. The mesh that was there stays until the new one is known to be good. */
-  open(bytes: Uint8Array<ArrayBuffer>, name: string, begin: Beginning = {}): Promise<void> {
+  /**
+   * Opens a file and runs its stack. The mesh that was there stays until the new one is known to be good.
+   *
+   * @param beside files that it refers to
+   */
+  open(
+    bytes: Uint8Array<ArrayBuffer>,
+    name: string,
+    begin: Beginning = {},
+    beside?: FilesBeside,
+  ): Promise<void> {
     const read = async (signal: AbortSignal) => ({
-      bytes,
-      name,
-      ...(await this.#engine.read(bytes, name, { signal })),
+      ...{ bytes, name, ...(beside ? { beside } : {}) },
+      ...(await this.#engine.read(bytes, name, { signal, beside })),
     });
     return this.#open(name, read, begin);
   }
@@ -268,11 +276,12 @@ export class Editor {
     this.store.set({ activity: { kind: 'writing', name: source.name }, notice: null });
     try {
       const positions = shownPositions(project);
-      const bytes = await patiently(task, () =>
-        this.#engine.write(source.bytes, source.name, format, positions, { signal: task.signal }),
+      const { bytes, name, beside } = source;
+      const written = await patiently(task, () =>
+        this.#engine.write(bytes, name, format, positions, { signal: task.signal, beside }),
       );
-      if (task.current()) this.store.set({ activity: idle });
-      return { bytes, project };
+      if (task.current()) this.store.set({ activity: idle, ...noticeOf(written.warnings) });
+      return { bytes: written.bytes, project };
     } catch (thrown) {
       reportFailure(this.store, task, thrown, () => void this.write(format));
       return null;
@@ -287,7 +296,7 @@ export class Editor {
     this.store.set({
       project,
       history: before ? record(history, { label, before, after: project }) : history,
-      ...(warnings.length > 0 ? { notice: { tone: 'note', text: warnings.join(' ') } } : {}),
+      ...noticeOf(warnings),
     });
     this.#latestChoice++;
     this.#presenter.present(project);
@@ -361,4 +370,9 @@ function sameActive(a: Project, b: Project): boolean {
     activeStep(a).isOn === activeStep(b).isOn &&
     sameInputs(activeInputs(a), activeInputs(b))
   );
+}
+
+/** Tells a person of warnings, if there are any. */
+function noticeOf(warnings: readonly string[]): Pick<Partial<EditorState>, 'notice'> {
+  return warnings.length > 0 ? { notice: { tone: 'note', text: warnings.join(' ') } } : {};
 }

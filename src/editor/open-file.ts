@@ -1,5 +1,6 @@
 import type { Engine } from '../engine/client.ts';
 import type { ReadResult } from '../engine/protocol.ts';
+import type { FilesBeside } from '../io/index.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import type { Source } from './project.ts';
 
@@ -7,6 +8,7 @@ import type { Source } from './project.ts';
 export interface ReadFile extends ReadResult {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly name: string;
+  readonly beside?: FilesBeside;
 }
 
 /** A file whose mesh can be worked on, before anything is done to it. */
@@ -21,9 +23,10 @@ export interface OpenedFile {
 /** @throws WhittleError where the mesh is refused */
 export async function openFile(
   engine: Engine,
-  { bytes, name, mesh, format, normalMap, warnings }: ReadFile,
+  { bytes, name, beside, mesh, format, normalMap, warnings }: ReadFile,
   signal: AbortSignal,
 ): Promise<OpenedFile> {
   const report = await engine.inspect(mesh, { signal });
-  return { source: { bytes, name, format, ...(normalMap ? { normalMap } : {}) }, mesh, report, warnings };
+  const source = { bytes, name, format, ...(beside ? { beside } : {}), ...(normalMap ? { normalMap } : {}) };
+  return { source, mesh, report, warnings };
 }

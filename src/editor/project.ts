@@ -1,5 +1,5 @@
 import type { Outcome, ReadResult } from '../engine/protocol.ts';
-import type { Format } from '../io/index.ts';
+import type { FilesBeside, Format } from '../io/index.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { movedMesh } from '../mesh/weld.ts';
 import { findMethod } from '../methods/registry.ts';
@@ -10,6 +10,8 @@ import type { Asset, RecipeStep, StepRun } from '../recipe/index.ts';
 export interface Source {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly name: string;
+  /** Files that it refers to. */
+  readonly beside?: FilesBeside;
   /** By the bytes: 'obj', 'glb', … */
   readonly format: Format;
   /** The normal map that it has inside. */

@@ -6,6 +6,7 @@ import { Presenter } from '../editor/presenter.ts';
 import { shownResult } from '../editor/project.ts';
 import { type EditorState, emptyState, Store } from '../editor/state.ts';
 import type { Engine } from '../engine/client.ts';
+import { gatherBeside } from '../engine/gather.ts';
 import type { WorkerPlace } from '../engine/start-worker.ts';
 import { type Format, formatInfo, isFormat } from '../io/index.ts';
 import { toFailure, WhittleError } from '../mesh/failure.ts';
@@ -165,7 +166,8 @@ export class WhittleView extends LitElement {
     const chosen = format ?? formatInfo(file.format).id;
     if (!this.#editor || !this.#store.state.project) {
       const { positions } = file.mesh;
-      return new Blob([await this.#engine!.write(file.bytes, file.name, chosen, positions)]);
+      const { bytes, name, beside } = file;
+      return new Blob([(await this.#engine!.write(bytes, name, chosen, positions, { beside })).bytes]);
     }
     const written = await this.#editor.write(chosen);
     if (!written) throw new Error(this.#store.state.notice?.text ?? 'The file could not be written.');
@@ -262,12 +264,18 @@ export class WhittleView extends LitElement {
     try {
       const engine = this.#open();
       const name = nameOf(this.src);
-      const bytes = await fetchBytes(new URL(this.src, this.baseURI), loading.signal, (share) =>
+      const address = new URL(this.src, this.baseURI);
+      const bytes = await fetchBytes(address, loading.signal, (share) =>
         this.#tell('progress', { phase: 'download', share }),
       );
-      const read = await engine.read(bytes, name, { signal: loading.signal });
+      const beside = await gatherBeside(engine, bytes, name, {
+        signal: loading.signal,
+        read: (path) => fetchBytes(new URL(encodeURI(path), address), loading.signal).catch(() => undefined),
+        wanted: ({ isShape }) => isShape,
+      });
+      const read = await engine.read(bytes, name, { signal: loading.signal, beside });
       if (loading.signal.aborted) return;
-      this.#file = { bytes, name, ...read };
+      this.#file = { bytes, name, beside, ...read };
       this.#showPlain(this.#file);
       this.isShown = true;
       const { positions, triangles } = read.mesh;

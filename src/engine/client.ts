@@ -1,3 +1,4 @@
+import type { FilesBeside, Reference, WrittenMesh } from '../io/index.ts';
 import { WhittleError } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { weldOf } from '../mesh/weld.ts';
@@ -10,6 +11,11 @@ export type { ProgressListener } from './connection.ts';
 export interface CallOptions {
   /** When it aborts, the call rejects with the signal's reason. */
   readonly signal?: AbortSignal | undefined;
+}
+
+export interface FileOptions extends CallOptions {
+  /** Files that the mesh file refers to. Default: none. */
+  readonly beside?: FilesBeside | undefined;
 }
 
 export interface SolveOptions {
@@ -30,15 +36,24 @@ export interface SolveOptions {
  */
 export interface Engine {
   /** Understands a file. The caller keeps `bytes`. */
-  read(bytes: Uint8Array<ArrayBuffer>, name: string, options?: CallOptions): Promise<ReadResult>;
+  read(bytes: Uint8Array<ArrayBuffer>, name: string, options?: FileOptions): Promise<ReadResult>;
+  /**
+   * The files that a file refers to: data and images of glTF, materials and textures of OBJ. Those that are there already (`beside`)
+   * may refer to more. See `gatherBeside`.
+   */
+  references(
+    bytes: Uint8Array<ArrayBuffer>,
+    name: string,
+    options?: FileOptions,
+  ): Promise<readonly Reference[]>;
   /** The source file with other positions (#P×3, file order); an own `format` writes a new file. The caller keeps both arrays. */
   write(
     source: Uint8Array<ArrayBuffer>,
     name: string,
     format: string,
     positions: Float64Array<ArrayBuffer>,
-    options?: CallOptions,
-  ): Promise<Uint8Array<ArrayBuffer>>;
+    options?: FileOptions,
+  ): Promise<WrittenMesh>;
   /** Counts parts, borders and defects, or rejects with what makes the mesh unusable. */
   inspect(mesh: Mesh, options?: CallOptions): Promise<MeshReport>;
   /**
@@ -77,8 +92,23 @@ class WorkerEngine implements Engine {
     this.#spawn = spawn;
   }
 
-  async read(bytes: Uint8Array<ArrayBuffer>, name: string, options: CallOptions = {}): Promise<ReadResult> {
-    return unlessAborted(options.signal, () => this.#connect().ask({ type: 'read', bytes, name }).answer);
+  async read(
+    bytes: Uint8Array<ArrayBuffer>,
+    name: string,
+    { signal, beside }: FileOptions = {},
+  ): Promise<ReadResult> {
+    return unlessAborted(signal, () => this.#connect().ask({ type: 'read', bytes, name, beside }).answer);
+  }
+
+  async references(
+    bytes: Uint8Array<ArrayBuffer>,
+    name: string,
+    { signal, beside }: FileOptions = {},
+  ): Promise<readonly Reference[]> {
+    return unlessAborted(
+      signal,
+      () => this.#connect().ask({ type: 'references', bytes, name, beside }).answer,
+    );
   }
 
   async write(
@@ -86,11 +116,11 @@ class WorkerEngine implements Engine {
     name: string,
     format: string,
     positions: Float64Array<ArrayBuffer>,
-    options: CallOptions = {},
-  ): Promise<Uint8Array<ArrayBuffer>> {
+    { signal, beside }: FileOptions = {},
+  ): Promise<WrittenMesh> {
     return unlessAborted(
-      options.signal,
-      () => this.#connect().ask({ type: 'write', source, name, format, positions }).answer,
+      signal,
+      () => this.#connect().ask({ type: 'write', source, name, format, positions, beside }).answer,
     );
   }
 

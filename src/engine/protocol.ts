@@ -1,4 +1,4 @@
-import type { Format } from '../io/index.ts';
+import type { FilesBeside, Format, Reference, WrittenMesh } from '../io/index.ts';
 import type { Failure } from '../mesh/failure.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
@@ -69,7 +69,15 @@ export interface ReadResult {
 /** What each request takes and what it answers. Every message of the worker is declared here and nowhere else. */
 export interface Calls {
   /** Understands a file. The bytes are copied, the caller keeps its own. */
-  read: { ask: { bytes: Uint8Array<ArrayBuffer>; name: string }; answer: ReadResult };
+  read: {
+    ask: { bytes: Uint8Array<ArrayBuffer>; name: string; beside?: FilesBeside | undefined };
+    answer: ReadResult;
+  };
+  /** The files that a file refers to, itself or by those beside it that are there already. */
+  references: {
+    ask: { bytes: Uint8Array<ArrayBuffer>; name: string; beside?: FilesBeside | undefined };
+    answer: readonly Reference[];
+  };
   /** Gives the source file back with other positions (and normals); another `format` than the source’s writes a new file. */
   write: {
     ask: {
@@ -77,8 +85,9 @@ export interface Calls {
       name: string;
       format: string;
       positions: Float64Array<ArrayBuffer>;
+      beside?: FilesBeside | undefined;
     };
-    answer: Uint8Array<ArrayBuffer>;
+    answer: WrittenMesh;
   };
   /** Makes a mesh known to the worker under a key and reports on it; the core's validation happens here. */
   load: { ask: { key: number; mesh: Mesh }; answer: MeshReport };
@@ -123,9 +132,14 @@ export function transferOf(message: ToWorker | FromWorker): ArrayBuffer[] {
   }
 }
 
+function isList(value: object): value is readonly unknown[] {
+  return Array.isArray(value);
+}
+
 function buffersOf(value: Calls[CallName]['answer']): ArrayBuffer[] {
-  if (value instanceof Uint8Array || value instanceof Float64Array) return [value.buffer];
-  if (value === null || 'components' in value) return [];
+  if (value instanceof Float64Array) return [value.buffer];
+  if (value === null || isList(value) || 'components' in value) return [];
+  if ('bytes' in value) return [value.bytes.buffer];
   if ('positions' in value) return [value.positions.buffer];
   const { positions, triangles, weld, colors, uvs } = value.mesh;
   const { near, solved } = weld ?? {};

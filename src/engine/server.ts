@@ -73,9 +73,11 @@ class Server {
   #carryOut(request: Request): Calls[CallName]['answer'] | Promise<Calls[CallName]['answer']> {
     switch (request.type) {
       case 'read':
-        return this.#services.readMesh(request.bytes, request.name);
+        return this.#services.readMesh(request.bytes, request.name, request.beside);
+      case 'references':
+        return this.#services.referencesOf(request.bytes, request.name, request.beside);
       case 'write':
-        return this.#services.writeMesh(request.source, request.name, request.format, request.positions);
+        return this.#write(request);
       case 'load':
         return this.#load(request.key, request.mesh);
       case 'unload':
@@ -85,6 +87,10 @@ class Server {
       case 'field':
         return this.#entry(request.key).mesh.field(request.name);
     }
+  }
+
+  #write({ source, name, format, positions, beside }: Calls['write']['ask']) {
+    return this.#services.writeMesh(source, name, format, positions, beside);
   }
 
   async #load(key: number, mesh: Mesh): Promise<MeshReport> {

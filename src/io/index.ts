@@ -1,15 +1,18 @@
 import type { Mesh } from '../mesh/mesh.ts';
 import { gather, joinPlaces, weld } from '../mesh/weld.ts';
+import { type FilesBeside, nothingBeside, type Reference } from './beside.ts';
 import { plainBytes } from './bytes.ts';
 import { fitsFloat32, unfitPosition } from './fit.ts';
-import { type Format, formats, isFormat } from './formats.ts';
-import { handlers } from './handlers.ts';
+import { type Format, formatInfo, formats, isFormat } from './formats.ts';
+import { handlers, type Parsed } from './handlers.ts';
+import { losses } from './look/losses.ts';
 import { type EmbeddedImage, type ParsedFile, type Shape, triangleFaces } from './parsed-file.ts';
 import { withPlaceless } from './placeless.ts';
 import { triangulate } from './polygon.ts';
 import { counted, refusal } from './refuse.ts';
 import { recognise } from './sniff.ts';
 
+export { type FilesBeside, nameOfPath, type Reference } from './beside.ts';
 export {
   endingOf,
   type Format,
@@ -39,11 +42,12 @@ const mostBytes = 2 ** 31 - 1;
  * Understands a mesh file, by its bytes alone.
  *
  * @param name for messages only
+ * @param beside files that it refers to
  * @throws WhittleError empty-file, unknown-format, truncated-file, malformed-file, unsupported-file, no-faces,
  *   index-out-of-range, not-finite or too-large; never anything else
  */
-export function readMesh(bytes: Uint8Array, name: string): ReadMesh {
-  const { format, file } = parse(bytes, name);
+export function readMesh(bytes: Uint8Array, name: string, beside: FilesBeside = nothingBeside): ReadMesh {
+  const { format, file } = parse(bytes, name, beside);
   const { positions, colors, normalMap } = file;
   const { triangles, corners, roughFaces } = triangulate(positions, file.faces);
   const uvs = file.uvs && cornerUvs(file.uvs, corners);
@@ -60,13 +64,39 @@ export function readMesh(bytes: Uint8Array, name: string): ReadMesh {
 }
 
 /**
+ * The files beside a mesh file that it refers to: buffers and images of glTF, materials and textures of OBJ. A material that is not
+ * there cannot say which textures it has: ask again when it is.
+ *
+ * @param beside those that are there already
+ * @throws WhittleError as `readMesh` where the file is not even to be recognised
+ */
+export function referencesOf(
+  bytes: Uint8Array,
+  name: string,
+  beside: FilesBeside = nothingBeside,
+): readonly Reference[] {
+  const plain = plainBytes(bytes);
+  return handlers[recognise(plain, name)].references?.(plain, name, beside) ?? [];
+}
+
+/** A mesh file that was written. */
+export interface WrittenMesh {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Sentences about what the source has and the new file lacks. */
+  readonly warnings: readonly string[];
+}
+
+/**
  * Gives a file back with other positions.
  *
  * In the source's own format only positions and normals change, and of these only those that are not what they were;
- * the same positions give the same bytes. Another format gets a new file: positions, faces, colours if it has them.
+ * the same positions give the same bytes. glTF as GLB, and the other way round, is the same asset in one file. Any other format
+ * gets a new file: positions and faces, and what the format has room for of colours, texture coordinates, materials with their
+ * textures, and names of parts.
  * Binary STL, `float` PLY and glTF hold 32-bit numbers, so positions are rounded there; text formats are exact.
  *
  * @param positions #P×3 in the order of `readMesh`
+ * @param beside files that the source refers to
  * @throws WhittleError as `readMesh`; bad-parameter if the number of positions is another; not-finite if one is not
  *   finite, or not in 32 bits where the format has 32; unsupported-file if the source cannot hold the new shape
  */
@@ -75,7 +105,8 @@ export function writeMesh(
   name: string,
   format: Format,
   positions: Float64Array,
-): Uint8Array<ArrayBuffer> {
+  beside: FilesBeside = nothingBeside,
+): WrittenMesh {
   if (!isFormat(format)) {
     throw refusal(
       'unknown-format',
@@ -84,27 +115,24 @@ export function writeMesh(
       `"${format}" is not one of ${formats.map(({ id }) => id).join(', ')}.`,
     );
   }
-  const bytes = plainBytes(source);
-  const parsed = parse(bytes, name);
+  const parsed = parse(source, name, beside);
   checkPositions(parsed.file, format, name, positions);
   const after = withPlaceless(parsed.file, positions);
-  if (parsed.format === format) return parsed.patch(after);
-  return handlers[format].write(shapeOf(parsed.file, parsed.format, after));
+  if (parsed.format === format) return { bytes: parsed.patch(after), warnings: [] };
+  const repack = handlers[parsed.format].repack?.[format];
+  if (repack) return { bytes: repack(parsed.patch(after), name, beside), warnings: [] };
+  const shape = shapeOf(parsed, after);
+  const { write, room } = handlers[format];
+  return { bytes: write(shape), warnings: losses(shape, room, formatInfo(format).label) };
 }
 
-interface Parsed {
-  readonly format: Format;
-  readonly file: ParsedFile;
-  patch(positions: Float64Array): Uint8Array<ArrayBuffer>;
-}
-
-function parse(source: Uint8Array, name: string): Parsed {
+function parse(source: Uint8Array, name: string, beside: FilesBeside): Parsed & { readonly format: Format } {
   const bytes = plainBytes(source);
   if (bytes.length > mostBytes) {
     throw refusal('too-large', name, '', 'files above 2 GB are not read; split the model.');
   }
   const format = recognise(bytes, name);
-  return { format, ...handlers[format].read(bytes, name) };
+  return { format, ...handlers[format].read(bytes, name, beside) };
 }
 
 function checkPositions(file: ParsedFile, format: Format, name: string, positions: Float64Array): void {
@@ -139,13 +167,22 @@ function cornerUvs(
 }
 
 /** The shape for a new file. Corners of an STL are joined where the file has them in the same place. */
-function shapeOf(file: ParsedFile, format: Format, positions: Float64Array): Shape {
-  const { triangles } = triangulate(file.positions, file.faces);
+function shapeOf(
+  { file, format, look }: Parsed & { readonly format: Format },
+  positions: Float64Array,
+): Shape {
+  const { triangles, corners } = triangulate(file.positions, file.faces);
+  const triangleCorners = corners ?? Uint32Array.from({ length: triangles.length }, (_, c) => c);
   if (format === 'stl-binary' || format === 'stl-ascii') {
     const joined = joinPlaces(file.positions, triangles);
     const faces = triangleFaces(joined.triangles);
-    return { positions: gather(positions, joined), faces, triangles: joined.triangles };
+    const gathered = gather(positions, joined);
+    return { positions: gathered, faces, triangles: joined.triangles, triangleCorners, look: look() };
   }
-  const { faces, colors } = file;
-  return { positions, faces, triangles, ...(colors ? { colors } : {}) };
+  const { faces, colors, uvs } = file;
+  return {
+    ...{ positions, faces, triangles, triangleCorners, look: look() },
+    ...(colors ? { colors } : {}),
+    ...(uvs ? { uvs } : {}),
+  };
 }

@@ -1,3 +1,5 @@
+import type { Look } from './look/look.ts';
+
 /** What every reader hands on: the shape as the file has it, before polygons are split. */
 
 /** Polygons, one after the other. */
@@ -39,6 +41,11 @@ export interface Shape {
   /** #T×3, the same faces split. */
   readonly triangles: Uint32Array;
   readonly colors?: Float32Array;
+  /** #C×2, v upward; NaN at corners without. */
+  readonly uvs?: Float32Array;
+  /** #T×3: which corner of the faces each of the triangles' is. */
+  readonly triangleCorners: Uint32Array;
+  readonly look: Look;
 }
 
 /** Marks a corner without a stored normal, and other absent indices. */

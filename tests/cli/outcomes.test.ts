@@ -81,7 +81,7 @@ test('interrupted before the first step, nothing is written', async () => {
   expect(await desk.read('out.obj')).toBe('as it was');
 });
 
-test('warnings of the file go to stderr and into the report', async () => {
+test('warnings of the file and of the new one go to stderr and into the report', async () => {
   const services = fakeServices(core);
   const warning = 'in.obj: 3 faces use one vertex twice.';
   const readMesh: typeof services.readMesh = async (bytes, name) => ({
@@ -92,9 +92,9 @@ test('warnings of the file go to stderr and into the report', async () => {
   const line = 'cubic @in.obj --max-iterations 1 --out @out.obj --report @report.json';
   const said = await desk.run(line, { engine: warning2 });
   expect(said.stderr).toContain('Normals were left out.\n');
-  expect(said.stderr.trimEnd().split('\n')).toHaveLength(2);
+  expect(said.stderr.trimEnd().split('\n')).toHaveLength(3);
   const [step] = JSON.parse(await desk.read('report.json')).steps;
-  expect(step.warnings).toEqual([warning, 'Normals were left out.']);
+  expect(step.warnings).toEqual([warning, 'Normals were left out.', 'no more than that']);
   expect((await desk.run(`${line} --quiet`, { engine: warning2 })).stderr).toBe('');
 });
 

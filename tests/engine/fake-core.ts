@@ -175,8 +175,9 @@ export function fakeServices(core: FakeCore): Services {
     readMesh: (bytes) => ({ mesh: tetrahedron([...bytes]), format: 'off', warnings: [] }),
     writeMesh: (source, _name, format, positions) => {
       if (format === 'bad') throw new WhittleError('unknown-format', 'There is no format “bad”.');
-      return new Uint8Array([...source, ...positions]);
+      return { bytes: new Uint8Array([...source, ...positions]), warnings: ['no more than that'] };
     },
+    referencesOf: (_bytes, name, beside) => [{ path: `${name}.${beside?.size ?? 0}`, isShape: true }],
   };
 }
 

@@ -153,7 +153,7 @@ const gltfFiles: Case[] = [
       j.buffers[0].uri = 'cube.bin';
     }),
     'unsupported-file',
-    /buffer 0: .*"cube\.bin".*\.glb/,
+    /buffer 0: .*"cube\.bin", which is not there; open both together/,
   ],
   [
     'bad base64',

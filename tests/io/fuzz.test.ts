@@ -1,9 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Format, readMesh, writeMesh } from '../../src/io/index.ts';
+import { type Format, readMesh } from '../../src/io/index.ts';
 import { failureCodes, WhittleError } from '../../src/mesh/failure.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { allCubes, ascii } from '../fixtures/tiny-files.ts';
+import { writtenBytes } from '../fixtures/written.ts';
 
 /** One damage to a file: bytes changed, cut, doubled, or put in. */
 interface Damage {
@@ -64,9 +65,9 @@ function readsOrRefuses(bytes: Uint8Array): void {
     expect(mesh.positions.every(Number.isFinite)).toBe(true);
     expect(mesh.colors?.every((value) => value >= 0 && value <= 1) ?? true).toBe(true);
     expect(mesh.colors?.length ?? mesh.positions.length).toBe(mesh.positions.length);
-    expect(writeMesh(bytes, 'fuzz', format, mesh.positions)).toEqual(asGivenBack(bytes, format, mesh));
+    expect(writtenBytes(bytes, 'fuzz', format, mesh.positions)).toEqual(asGivenBack(bytes, format, mesh));
     const moved = mesh.positions.map((value) => Math.fround(value / 2 + 1));
-    const again = readMesh(writeMesh(bytes, 'fuzz', format, moved), 'again');
+    const again = readMesh(writtenBytes(bytes, 'fuzz', format, moved), 'again');
     expect(again.format).toBe(format);
     expect(again.mesh.triangles).toHaveLength(mesh.triangles.length);
   } catch (thrown) {

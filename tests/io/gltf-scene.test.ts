@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { readMesh, writeMesh } from '../../src/io/index.ts';
+import { readMesh } from '../../src/io/index.ts';
 import { type AnyJson, gltfBuffer, gltfJson, packGlb } from '../fixtures/tiny-files.ts';
+import { writtenBytes } from '../fixtures/written.ts';
 
 /** Where a glTF scene puts its meshes, and which way round their triangles are read. */
 
@@ -38,7 +39,7 @@ describe('a transform that mirrors', () => {
       expect([...mesh.uvs!.subarray(2 * c, 2 * c + 2)]).toEqual([u, up]);
     });
     const glb = packGlb(json);
-    const written = writeMesh(
+    const written = writtenBytes(
       glb,
       'a.glb',
       'glb',

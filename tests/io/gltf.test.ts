@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { readMesh, writeMesh } from '../../src/io/index.ts';
+import { readMesh } from '../../src/io/index.ts';
 import { type AnyJson, gltfBuffer, gltfJson, packGlb, packGltf, text } from '../fixtures/tiny-files.ts';
+import { writtenBytes } from '../fixtures/written.ts';
 
 const read = (json: AnyJson, bin = gltfBuffer()) => readMesh(packGlb(json, bin), 'a.glb');
 
@@ -22,7 +23,7 @@ describe('transforms', () => {
     const { positions } = readMesh(glb, 'a.glb').mesh;
     expect([Math.min(...positions), Math.max(...positions)]).toEqual([0, 12]);
     const up = positions.map((value, i) => (i % 3 === 1 ? value * 3 : value));
-    const { json, bin } = unpack(writeMesh(glb, 'a.glb', 'glb', up));
+    const { json, bin } = unpack(writtenBytes(glb, 'a.glb', 'glb', up));
     expect(json.accessors[0]).toMatchObject({ min: [0, 0, 0], max: [1, 3, 1] });
     for (let v = 0; v < 24; v++)
       expect(bin.getFloat32(40 * v + 4, true)).toBe(3 * gltfView.getFloat32(40 * v + 4, true));
@@ -36,7 +37,7 @@ describe('transforms', () => {
     const glb = packGlb(json);
     const { positions } = readMesh(glb, 'a.glb').mesh;
     const { bin } = unpack(
-      writeMesh(
+      writtenBytes(
         glb,
         'a.glb',
         'glb',
@@ -65,7 +66,7 @@ describe('writing', () => {
     const changed = positions.slice();
     for (let i = 0; i < positions.length; i += 3) if (positions[i + 2] === 2) changed[i] += positions[i + 1];
     const before = unpack(glb);
-    const after = unpack(writeMesh(glb, 'a.glb', 'glb', changed));
+    const after = unpack(writtenBytes(glb, 'a.glb', 'glb', changed));
     expect(after.source.trimEnd()).toBe(before.source.trimEnd().replace('"max":[1,1,1]', '"max":[2,1,1]'));
     for (let at = 960; at < 1032; at++) expect(after.bin.getUint8(at)).toBe(before.bin.getUint8(at));
     for (let v = 0; v < 24; v++) {
@@ -85,13 +86,13 @@ describe('writing', () => {
     const positions = readMesh(gltf, 'a.gltf').mesh.positions.map((value) => value * 2);
     const strip = (source: string) =>
       source.replace(/base64,[^"]*/, '').replace(/"(min|max)": ?\[[^\]]*\]/g, '"$1"');
-    expect(strip(text(writeMesh(gltf, 'a.gltf', 'gltf', positions)))).toBe(strip(text(gltf)));
+    expect(strip(text(writtenBytes(gltf, 'a.gltf', 'gltf', positions)))).toBe(strip(text(gltf)));
   });
 
   it('gives bounds that hold the stored numbers exactly', () => {
     const glb = packGlb(gltfJson());
     const positions = readMesh(glb, 'a.glb').mesh.positions.map((value) => value * 0.1);
-    const written = writeMesh(glb, 'a.glb', 'glb', positions);
+    const written = writtenBytes(glb, 'a.glb', 'glb', positions);
     const { json, bin } = unpack(written);
     const stored = Array.from({ length: 24 }, (_, v) => bin.getFloat32(40 * v, true));
     expect(json.accessors[0].max[0]).toBe(Math.max(...stored));
@@ -139,13 +140,13 @@ describe('kinds of data', () => {
     const { mesh, format, warnings } = readMesh(file, 'q');
     expect(warnings).toEqual([expect.stringMatching(/whole numbers; in the result they are decimal ones/)]);
     expect(Array.from(mesh.positions)).toEqual([1, 0, 0, 5, 0, 0, 1, 4, 0]);
-    expect(writeMesh(file, 'q', format, mesh.positions)).toEqual(file);
+    expect(writtenBytes(file, 'q', format, mesh.positions)).toEqual(file);
     const half = mesh.positions.map((value) => value / 2);
-    const written = writeMesh(file, 'q', format, half);
+    const written = writtenBytes(file, 'q', format, half);
     const again = readMesh(written, 'q');
     expect(again.warnings).toEqual([]);
     expect(again.mesh.positions).toEqual(half);
-    expect(writeMesh(written, 'q', format, half)).toEqual(written);
+    expect(writtenBytes(written, 'q', format, half)).toEqual(written);
     if (pack !== packGlb) return;
     const after = unpack(written);
     const accessor = { componentType: 5126, count: 3, type: 'VEC3', name: 'kept', bufferView: 1 };
@@ -157,7 +158,7 @@ describe('kinds of data', () => {
     });
     // What follows the chunk stays where it is.
     const extra = new Uint8Array([4, 0, 0, 0, 88, 89, 90, 0, 1, 2, 3, 4]);
-    const longer = writeMesh(packGlb(json, bin, extra), 'q', 'glb', half);
+    const longer = writtenBytes(packGlb(json, bin, extra), 'q', 'glb', half);
     expect(longer.subarray(-12)).toEqual(extra);
     expect(readMesh(longer, 'q').mesh.positions).toEqual(half);
   });
@@ -168,9 +169,11 @@ describe('kinds of data', () => {
     json.meshes[0].primitives.push({ attributes: { POSITION: 1 } });
     const { positions } = readMesh(packGlb(json, bin), 'q').mesh;
     const moved = positions.map((_, i) => i);
-    expect(readMesh(writeMesh(packGlb(json, bin), 'q', 'glb', moved), 'q').mesh.positions).toEqual(moved);
+    expect(readMesh(writtenBytes(packGlb(json, bin), 'q', 'glb', moved), 'q').mesh.positions).toEqual(moved);
     const bare = { ...simple(), accessors: [json.accessors[1]], bufferViews: [], buffers: [] };
-    expect(() => writeMesh(packGlb(bare, bin), 'q', 'glb', moved.slice(0, 9))).toThrow(/not stored at all/);
+    expect(() => writtenBytes(packGlb(bare, bin), 'q', 'glb', moved.slice(0, 9))).toThrow(
+      /not stored at all/,
+    );
   });
 
   it('reads sparse positions and writes each where it is stored', () => {
@@ -198,7 +201,9 @@ describe('kinds of data', () => {
     const glb = packGlb(json, bin);
     const { positions } = readMesh(glb, 's.glb').mesh;
     expect(Array.from(positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 0, 9]);
-    const { bin: after } = unpack(writeMesh(glb, 's.glb', 'glb', Float64Array.of(0, 0, 0, 2, 0, 0, 0, 0, 8)));
+    const { bin: after } = unpack(
+      writtenBytes(glb, 's.glb', 'glb', Float64Array.of(0, 0, 0, 2, 0, 0, 0, 0, 8)),
+    );
     expect([12, 24, 28, 48].map((at) => after.getFloat32(at, true))).toEqual([2, 0, 1, 8]);
   });
 

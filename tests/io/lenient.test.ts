@@ -1,5 +1,5 @@
 import { describe, expect, it, test } from 'vitest';
-import { readMesh, writeMesh } from '../../src/io/index.ts';
+import { readMesh } from '../../src/io/index.ts';
 import {
   ascii,
   cubeObj,
@@ -15,6 +15,7 @@ import {
   packGlb,
   text,
 } from '../fixtures/tiny-files.ts';
+import { writtenBytes } from '../fixtures/written.ts';
 
 /** Files that break the rules of their format and that people have all the same: read as meant, given back as they came. */
 
@@ -33,9 +34,9 @@ function expectCube(bytes: Uint8Array, warnings: readonly unknown[] = [], extra 
     [...triangles].flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)]);
   const cube = cubeTriangles.flatMap((v) => cubePositions.slice(3 * v, 3 * v + 3));
   expect(corners(mesh.positions, mesh.triangles)).toEqual(cube);
-  expect(writeMesh(bytes, 'cube', format, mesh.positions)).toEqual(new Uint8Array(bytes));
+  expect(writtenBytes(bytes, 'cube', format, mesh.positions)).toEqual(new Uint8Array(bytes));
   const moved = mesh.positions.map((value) => 2 * value + 1);
-  const again = readMesh(writeMesh(bytes, 'cube', format, moved), 'cube');
+  const again = readMesh(writtenBytes(bytes, 'cube', format, moved), 'cube');
   const count = moved.length - 3 * extra;
   expect(again.mesh.positions.subarray(0, count)).toEqual(moved.subarray(0, count));
   expect(again.mesh.triangles).toEqual(mesh.triangles);
@@ -123,7 +124,7 @@ describe('binary STL', () => {
       const { mesh, warnings, format } = readMesh(bytes, 'a.stl');
       expect(warnings).toEqual([expect.stringMatching(sentence)]);
       expect(mesh.triangles).toHaveLength(36);
-      const written = writeMesh(bytes, 'a.stl', format, mesh.positions);
+      const written = writtenBytes(bytes, 'a.stl', format, mesh.positions);
       expect(written).toEqual(stl(says(12), { header }));
       expect(readMesh(written, 'a.stl').warnings).toEqual([]);
     }
@@ -204,7 +205,7 @@ describe('a vertex that no face uses', () => {
     expect(warnings).toEqual([expect.stringMatching(said)]);
     expect([...mesh.positions.subarray(24, 27)]).toEqual([0.5, 0.5, 0.5]);
     const written = text(
-      writeMesh(
+      writtenBytes(
         bytes,
         'a',
         format,
@@ -214,7 +215,7 @@ describe('a vertex that no face uses', () => {
     // It keeps its very words.
     const lines = (whole: string) => whole.split('\n').filter((line) => /nan|inf/i.test(line));
     expect(lines(written)).toEqual(lines(source));
-    expect(readMesh(writeMesh(bytes, 'a', 'glb', mesh.positions), 'a').mesh.positions).toEqual(
+    expect(readMesh(writtenBytes(bytes, 'a', 'glb', mesh.positions), 'a').mesh.positions).toEqual(
       mesh.positions,
     );
   });
@@ -227,7 +228,7 @@ describe('a vertex that no face uses', () => {
     const { mesh, warnings } = readMesh(packGlb(json, bin), 'a');
     expect(warnings[0]).toMatch(said);
     expect(mesh.positions.every(Number.isFinite)).toBe(true);
-    const written = writeMesh(
+    const written = writtenBytes(
       packGlb(json, bin),
       'a',
       'glb',

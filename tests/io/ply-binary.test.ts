@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { readMesh, writeMesh } from '../../src/io/index.ts';
+import { readMesh } from '../../src/io/index.ts';
 import { ascii, cubePositions, cubeQuads, text } from '../fixtures/tiny-files.ts';
+import { writtenBytes } from '../fixtures/written.ts';
 
 /** Binary PLY files whose vertices cannot simply be overwritten. */
 
@@ -59,13 +60,13 @@ describe.each([true, false])('little endian: %s', (little) => {
     const { mesh, warnings } = readMesh(bytes, 'a.ply');
     expect(warnings).toEqual([]);
     expect([...mesh.positions]).toEqual(cubePositions);
-    const written = writeMesh(bytes, 'a.ply', 'ply-binary', halves(mesh.positions));
+    const written = writtenBytes(bytes, 'a.ply', 'ply-binary', halves(mesh.positions));
     expect(written).toHaveLength(bytes.length);
     expect(readMesh(written, 'a.ply').mesh).toMatchObject({
       positions: halves(mesh.positions),
       triangles: mesh.triangles,
     });
-    expect(writeMesh(written, 'a.ply', 'ply-binary', mesh.positions)).toEqual(bytes);
+    expect(writtenBytes(written, 'a.ply', 'ply-binary', mesh.positions)).toEqual(bytes);
   });
 
   it.each([
@@ -76,21 +77,21 @@ describe.each([true, false])('little endian: %s', (little) => {
     const bytes = cube([...kinds], little, size);
     const { mesh, warnings } = readMesh(bytes, 'a.ply');
     expect(warnings).toEqual([expect.stringMatching(/whole numbers; in the result they are decimal/)]);
-    expect(writeMesh(bytes, 'a.ply', 'ply-binary', mesh.positions)).toEqual(bytes);
+    expect(writtenBytes(bytes, 'a.ply', 'ply-binary', mesh.positions)).toEqual(bytes);
     const moved = halves(mesh.positions);
-    const written = writeMesh(bytes, 'a.ply', 'ply-binary', moved);
+    const written = writtenBytes(bytes, 'a.ply', 'ply-binary', moved);
     const again = readMesh(written, 'a.ply');
     expect(again.warnings).toEqual([]);
     expect(again.mesh).toMatchObject({ positions: moved, triangles: mesh.triangles });
     // The file that would have had decimal numbers from the beginning, but for its x, y and z.
     const float = cube(['Float32', 'Float32', 'Float32'], little, size);
-    expect(writeMesh(written, 'a.ply', 'ply-binary', mesh.positions)).toEqual(float);
+    expect(writtenBytes(written, 'a.ply', 'ply-binary', mesh.positions)).toEqual(float);
   });
 
   it('large whole numbers become doubles, which hold them', () => {
     const bytes = cube(['Int32', 'Int32', 'Int32'], little, 2 ** 30);
     const moved = readMesh(bytes, 'a.ply').mesh.positions.map((value) => value + 0.125);
-    const written = writeMesh(bytes, 'a.ply', 'ply-binary', moved);
+    const written = writtenBytes(bytes, 'a.ply', 'ply-binary', moved);
     expect(text(written.slice(0, 300))).toContain('property double z');
     expect(readMesh(written, 'a.ply').mesh.positions).toEqual(moved);
   });

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { fileNameEndings, formatForFileName, formats, readMesh, writeMesh } from '../../src/io/index.ts';
+import { fileNameEndings, formatForFileName, formats, readMesh } from '../../src/io/index.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { allCubes, cubePositions } from '../fixtures/tiny-files.ts';
+import { writtenBytes } from '../fixtures/written.ts';
 
 /** Twice the positions that `Math.fround` keeps, moved a little: exact in 32 bits. */
 const moved = (positions: Float64Array) => positions.map((value, i) => 1.5 * value + (i % 3) * 0.25 + 0.125);
@@ -30,18 +31,18 @@ describe.each(allCubes())('$name ($format)', ({ name, format, bytes }) => {
   });
 
   it('comes back byte for byte with its own positions', () => {
-    expect(writeMesh(bytes, name, format, read.mesh.positions)).toEqual(bytes);
+    expect(writtenBytes(bytes, name, format, read.mesh.positions)).toEqual(bytes);
   });
 
   it('comes back with the positions that were put in', () => {
     const positions = moved(read.mesh.positions);
-    const written = writeMesh(bytes, name, format, positions);
+    const written = writtenBytes(bytes, name, format, positions);
     const again = readMesh(written, name);
     expect(again.mesh.positions).toEqual(positions);
     expect(again.mesh.triangles).toEqual(read.mesh.triangles);
     expect(again.mesh.colors).toEqual(read.mesh.colors);
     // And back: only the numbers' spelling may differ.
-    const back = readMesh(writeMesh(written, name, format, read.mesh.positions), name);
+    const back = readMesh(writtenBytes(written, name, format, read.mesh.positions), name);
     expect(back.mesh.positions).toEqual(read.mesh.positions);
   });
 
@@ -50,13 +51,15 @@ describe.each(allCubes())('$name ($format)', ({ name, format, bytes }) => {
     large.set(bytes, 3);
     const window = large.subarray(3, 3 + bytes.length);
     const positions = moved(read.mesh.positions);
-    expect(writeMesh(window, name, format, positions)).toEqual(writeMesh(bytes, name, format, positions));
+    expect(writtenBytes(window, name, format, positions)).toEqual(
+      writtenBytes(bytes, name, format, positions),
+    );
     expect(new Uint8Array(window)).toEqual(bytes);
   });
 
   it.each(formats.map(({ id }) => id).filter((other) => other !== format))('becomes %s', (other) => {
     const positions = moved(read.mesh.positions);
-    const written = writeMesh(bytes, name, other, positions);
+    const written = writtenBytes(bytes, name, other, positions);
     const again = readMesh(written, name);
     expect(again.format).toBe(other);
     expect(again.warnings).toEqual([]);
@@ -65,12 +68,12 @@ describe.each(allCubes())('$name ($format)', ({ name, format, bytes }) => {
   });
 
   it('refuses another number of positions and what is not finite', () => {
-    expect(() => writeMesh(bytes, name, format, new Float64Array(3))).toThrow(
+    expect(() => writtenBytes(bytes, name, format, new Float64Array(3))).toThrow(
       expect.objectContaining({ code: 'bad-parameter', message: expect.stringContaining(name) }),
     );
     const positions = read.mesh.positions.slice();
     positions[7] = Number.NaN;
-    expect(() => writeMesh(bytes, name, format, positions)).toThrow(
+    expect(() => writtenBytes(bytes, name, format, positions)).toThrow(
       expect.objectContaining({
         code: 'not-finite',
         message: expect.stringContaining('vertex 2'),
@@ -86,7 +89,7 @@ describe('other formats', () => {
 
   it.each(['ply-ascii', 'ply-binary', 'off'] as const)('%s keeps quads, order and colours', (format) => {
     const source = readMesh(obj.bytes, 'cube.obj').mesh;
-    const { mesh } = readMesh(writeMesh(obj.bytes, 'cube.obj', format, positions), 'x');
+    const { mesh } = readMesh(writtenBytes(obj.bytes, 'cube.obj', format, positions), 'x');
     expect(Array.from(mesh.positions)).toEqual(cubePositions);
     expect(mesh.triangles).toEqual(source.triangles);
     for (let i = 0; i < 24; i++) expect(mesh.colors![i]).toBeCloseTo(source.colors![i], 2);
@@ -96,23 +99,25 @@ describe('other formats', () => {
     const stl = allCubes()[3];
     const corners = readMesh(stl.bytes, 'x').mesh.positions;
     expect(corners).toHaveLength(108);
-    expect(readMesh(writeMesh(stl.bytes, 'x', 'obj', corners), 'x').mesh.positions).toHaveLength(24);
+    expect(readMesh(writtenBytes(stl.bytes, 'x', 'obj', corners), 'x').mesh.positions).toHaveLength(24);
   });
 
   it('writes numbers that read back exactly', () => {
     const odd = positions.map((_, i) => Math.PI ** (i - 12) * (i % 2 ? -1 : 1));
     for (const format of ['obj', 'ply-ascii', 'ply-binary', 'off'] as const) {
-      const written = writeMesh(obj.bytes, 'cube.obj', format, odd);
+      const written = writtenBytes(obj.bytes, 'cube.obj', format, odd);
       expect(readMesh(written, 'x').mesh.positions).toEqual(odd);
     }
   });
 
   it('refuses numbers that 32 bits cannot hold', () => {
     const huge = positions.map((value) => value * 1e300);
-    expect(() => writeMesh(obj.bytes, 'cube.obj', 'glb', huge)).toThrow(/^cube\.obj, vertex 1: /);
-    expect(readMesh(writeMesh(obj.bytes, 'cube.obj', 'ply-binary', huge), 'x').mesh.positions).toEqual(huge);
+    expect(() => writtenBytes(obj.bytes, 'cube.obj', 'glb', huge)).toThrow(/^cube\.obj, vertex 1: /);
+    expect(readMesh(writtenBytes(obj.bytes, 'cube.obj', 'ply-binary', huge), 'x').mesh.positions).toEqual(
+      huge,
+    );
     const float = allCubes()[7];
-    expect(() => writeMesh(float.bytes, 'cube.ply', 'ply-binary', huge)).toThrow(
+    expect(() => writtenBytes(float.bytes, 'cube.ply', 'ply-binary', huge)).toThrow(
       expect.objectContaining({ code: 'not-finite' }),
     );
   });

@@ -1,13 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { type Format, readMesh, writeMesh } from '../../src/io/index.ts';
+import { type Format, readMesh } from '../../src/io/index.ts';
 import { ascii, cubeObj, cubeOff, cubePlyText, cubeStlText, text } from '../fixtures/tiny-files.ts';
+import { writtenBytes } from '../fixtures/written.ts';
 
 /** Writes with a few coordinates changed: {index into the flat positions: value}. */
 function patched(source: string, format: Format, changes: Readonly<Record<number, number>>): string {
   const bytes = ascii(source);
   const positions = readMesh(bytes, 'source').mesh.positions.slice();
   for (const [i, value] of Object.entries(changes)) positions[Number(i)] = value;
-  return text(writeMesh(bytes, 'source', format, positions));
+  return text(writtenBytes(bytes, 'source', format, positions));
 }
 
 /** Lines that differ, as [before, after]. Fails if the number of lines does. */
@@ -42,7 +43,7 @@ describe('OBJ', () => {
     const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 3, 0);
     const expected = source.slice();
     expected[source.lastIndexOf(49, source.indexOf(103))] = 51;
-    expect(writeMesh(source, 'x', 'obj', positions)).toEqual(expected);
+    expect(writtenBytes(source, 'x', 'obj', positions)).toEqual(expected);
   });
 
   it('leaves the normals of a region that has not moved, however odd they are', () => {

@@ -37,7 +37,7 @@ test('runs recipes from Node, without a DOM and without a worker', () => {
      const recipe = parseRecipe('{"whittle": 1, "steps": [{"method": "cubic", "lambda": 0.4}]}', 'recipe');
      const { mesh, steps } = await runRecipe(engine, read, recipe);
      engine.dispose();
-     const text = new TextDecoder().decode(writeMesh(bytes, 'ball.obj', 'obj', mesh.positions));
+     const text = new TextDecoder().decode(writeMesh(bytes, 'ball.obj', 'obj', mesh.positions).bytes);
      console.log(JSON.stringify({ outcome: steps[0].outcome, methods: methods.length, lines: text.split('\\n').length }));`,
   );
   const said = JSON.parse(run('node', 'use.js'));
@@ -57,7 +57,7 @@ test('gives the bytes of its command line', () => {
      const engine = createEngine();
      const steps = [{ method: 'cubic', parameters: { lambda: 0.4 } }];
      const { mesh } = await runRecipe(engine, readMesh(bytes, 'ball.obj'), { steps });
-     writeFileSync('module.obj', writeMesh(bytes, 'ball.obj', 'obj', mesh.positions));
+     writeFileSync('module.obj', writeMesh(bytes, 'ball.obj', 'obj', mesh.positions).bytes);
      engine.dispose();`,
   );
   expect(run('cmp', 'line.obj', 'module.obj')).toBe('');

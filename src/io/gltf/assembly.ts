@@ -27,7 +27,7 @@ export class GltfAssembly {
   constructor(source: GltfDocument) {
     this.#result = new Uint8Array(source.bytes);
     this.#isGlb = source.isBinary;
-    this.document = new GltfDocument(this.#result, source.name, this.#isGlb);
+    this.document = new GltfDocument(this.#result, source.name, this.#isGlb, source.filesBeside);
     this.#root = valueSpan(this.#result, this.document.layout.json[0]);
   }
 
@@ -126,10 +126,11 @@ export class GltfAssembly {
     );
   }
 
-  /** The data URI of a buffer: only its base64 part is new. */
+  /** The data URI of a buffer: only its base64 part is new. One that was a file beside this one comes inside. */
   #newUri(buffer: number): string {
     const uri = String(this.document.element('buffers', buffer, 'patch').uri);
-    const head = uri.slice(0, uri.indexOf(',') + 1);
+    const isInside = /^data:/i.test(uri);
+    const head = isInside ? uri.slice(0, uri.indexOf(',') + 1) : 'data:application/octet-stream;base64,';
     // The buffer may be shorter than what the URI holds; bytes behind it stay.
     const whole = new Uint8Array(this.document.buffer(buffer).buffer);
     const tail = this.#tail(buffer);

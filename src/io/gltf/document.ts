@@ -1,3 +1,4 @@
+import { type FilesBeside, findBeside, nothingBeside, type Reference, tidyPath } from '../beside.ts';
 import { hasByteOrderMark, viewOf } from '../bytes.ts';
 import { counted, quote, refusal } from '../refuse.ts';
 import { decodeBase64 } from './base64.ts';
@@ -23,11 +24,13 @@ export class GltfDocument {
   readonly layout: Layout;
   readonly isBinary: boolean;
   readonly root: Json;
+  readonly filesBeside: FilesBeside;
   readonly #buffers = new Map<number, Uint8Array>();
   #budget: number;
 
   /** @throws malformed-file, truncated-file, unsupported-file */
-  constructor(bytes: Uint8Array, name: string, isBinary: boolean) {
+  constructor(bytes: Uint8Array, name: string, isBinary: boolean, beside: FilesBeside = nothingBeside) {
+    this.filesBeside = beside;
     this.bytes = bytes;
     this.name = name;
     this.isBinary = isBinary;
@@ -126,14 +129,45 @@ export class GltfDocument {
 
   #dataUri(uri: unknown, place: string): Uint8Array {
     if (typeof uri !== 'string') throw this.malformed(place, 'its uri is not a text');
-    if (!uri.startsWith('data:')) {
-      const sentence = `its data is in another file, ${quote(uri)}; export as .glb, which is one file.`;
-      throw refusal('unsupported-file', this.name, place, sentence);
-    }
+    if (!/^data:/i.test(uri)) return this.#fileBeside(this.pathOf(uri), place);
     const comma = uri.indexOf(',');
     const bytes = /;base64$/i.test(uri.slice(0, comma)) ? decodeBase64(uri.slice(comma + 1)) : undefined;
     if (!bytes) throw this.malformed(place, 'its data URI is not base64');
     return bytes;
+  }
+
+  /** A copy: it may be written to. */
+  #fileBeside(path: string, place: string): Uint8Array {
+    const bytes = this.beside(path);
+    if (bytes) return bytes.slice();
+    const sentence = `its data is in another file, ${quote(path)}, which is not there; open both together, or put them in one folder.`;
+    throw refusal('unsupported-file', this.name, place, sentence);
+  }
+
+  /** A file that lies beside this one. */
+  beside(path: string): Uint8Array<ArrayBuffer> | undefined {
+    return findBeside(this.filesBeside, path);
+  }
+
+  /** The path that a URI of this file means. */
+  pathOf(uri: string): string {
+    try {
+      return tidyPath(decodeURIComponent(uri));
+    } catch {
+      // A stray % stands for itself.
+      return tidyPath(uri);
+    }
+  }
+
+  /** Files that buffers and images are in, beside this one. */
+  references(): Reference[] {
+    return ['buffers', 'images'].flatMap((key) =>
+      this.list(this.root, key).flatMap((element) => {
+        const { uri } = this.record(element, key);
+        const isElsewhere = typeof uri === 'string' && !/^[a-z][a-z0-9+.-]*:/i.test(uri);
+        return isElsewhere ? [{ path: this.pathOf(uri), isShape: key === 'buffers' }] : [];
+      }),
+    );
   }
 
   #parse(): unknown {

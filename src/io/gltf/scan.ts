@@ -1,3 +1,4 @@
+import type { FilesBeside } from '../beside.ts';
 import { FloatList, IndexList } from '../lists.ts';
 import { none, type ParsedFile, triangleFaces } from '../parsed-file.ts';
 import { settlePlaceless } from '../placeless.ts';
@@ -37,6 +38,15 @@ export interface GltfFile extends ParsedFile {
   readonly normals: Float64Array;
   /** #C index of the normal of each corner, or {@link none}. */
   readonly normalOfCorner: Uint32Array;
+  /** Which faces came from which primitive. */
+  readonly primitives: readonly GltfPrimitive[];
+}
+
+export interface GltfPrimitive {
+  readonly firstFace: number;
+  readonly name: string;
+  /** As the file has it. */
+  readonly material: unknown;
 }
 
 /**
@@ -47,8 +57,8 @@ export interface GltfFile extends ParsedFile {
  *
  * @throws no-faces, index-out-of-range, malformed-file, truncated-file, not-finite, unsupported-file, too-large
  */
-export function scanGltf(bytes: Uint8Array, name: string, isBinary: boolean): GltfFile {
-  return new GltfScan(new GltfDocument(bytes, name, isBinary)).run();
+export function scanGltf(bytes: Uint8Array, name: string, isBinary: boolean, beside?: FilesBeside): GltfFile {
+  return new GltfScan(new GltfDocument(bytes, name, isBinary, beside)).run();
 }
 
 const wholeNumbers =
@@ -66,6 +76,7 @@ class GltfScan {
   readonly #normalParts = new Map<unknown, GltfNormals>();
   readonly #meshes = new Set<number>();
   readonly #warnings = new Set<string>();
+  readonly #primitives: GltfPrimitive[] = [];
   readonly #normalMap: NormalMapSearch;
   /** Texture coordinates of every corner, v upward; empty as long as no part has any. */
   readonly #uvs = new FloatList();
@@ -104,6 +115,7 @@ class GltfScan {
       normalParts: [...this.#normalParts.values()],
       normals: this.#normals.take(),
       normalOfCorner: this.#normalOfCorner.take(),
+      primitives: this.#primitives,
     };
   }
 
@@ -122,7 +134,7 @@ class GltfScan {
     });
   }
 
-  #primitive(json: Json, { toWorld }: Placement, place: string): void {
+  #primitive(json: Json, { toWorld, name }: Placement, place: string): void {
     const document = this.#document;
     this.#refuseCompression(json, place);
     const mode = document.count(json.mode, place, 4);
@@ -154,6 +166,7 @@ class GltfScan {
       this.#corners.push(part.first + indices[i]);
       this.#normalOfCorner.push(normals ? normals.first + indices[i] : none);
     };
+    this.#primitives.push({ firstFace: this.#corners.length / 3, name, material: json.material });
     const isTurned = isMirrored(toWorld);
     for (let t = 0; t < triangleCount; t++) {
       const turned = mode === 5 ? t & 1 : 0;
@@ -294,6 +307,10 @@ class GltfScan {
     const warnings = [...this.#warnings];
     if (this.#skippedPrimitives > 0) {
       warnings.push(`Left out ${counted(this.#skippedPrimitives, 'part')} made of points or lines.`);
+    }
+    const outside = this.#document.references().flatMap(({ path, isShape }) => (isShape ? [path] : []));
+    if (outside.length > 0) {
+      warnings.push(`Its data lies beside it (${outside.join(', ')}); the result has it inside.`);
     }
     if (this.#repeated > 0) {
       warnings.push(

@@ -9,6 +9,8 @@ export interface Placement {
   /** From the mesh's own frame to the scene's; that of a skinned mesh is its joints', see `skins.ts`. */
   readonly toWorld: Matrix;
   readonly isSkinned: boolean;
+  /** That of the node, or of the mesh; '' if they have none. */
+  readonly name: string;
   readonly place: string;
 }
 
@@ -21,10 +23,11 @@ export function placements(document: GltfDocument): Placement[] {
   const nodes = document.list(document.root, 'nodes');
   if (nodes.length === 0) {
     return document.list(document.root, 'meshes').map((_, mesh) => {
-      return { mesh, toWorld: identity, isSkinned: false, place: `mesh ${mesh}` };
+      const name = nameOf(document, mesh);
+      return { mesh, toWorld: identity, isSkinned: false, name, place: `mesh ${mesh}` };
     });
   }
-  const found: { mesh: number; node: unknown; skin: unknown; place: string }[] = [];
+  const found: (Omit<Placement, 'toWorld' | 'isSkinned'> & { node: unknown; skin: unknown })[] = [];
   /** From each node's frame to the scene's. */
   const worlds = new Map<unknown, Matrix>();
   // A stack of its own: a chain of a million nodes must not end the program's.
@@ -39,7 +42,8 @@ export function placements(document: GltfDocument): Placement[] {
     worlds.set(node, toWorld);
     if (json.mesh !== undefined) {
       document.element('meshes', json.mesh, place);
-      found.push({ mesh: json.mesh as number, node, skin: json.skin, place });
+      const mesh = json.mesh as number;
+      found.push({ mesh, node, skin: json.skin, name: nameOf(document, mesh, json), place });
     }
     const children = document.list(json, 'children');
     for (let i = children.length - 1; i >= 0; i--)
@@ -47,10 +51,15 @@ export function placements(document: GltfDocument): Placement[] {
   }
   const used = found.flatMap(({ skin }) => (skin === undefined ? [] : [skin]));
   const skins = new Skins(document, worlds, used);
-  return found.map(({ mesh, node, skin, place }) => {
+  return found.map(({ mesh, node, skin, name, place }) => {
     const isSkinned = skin !== undefined;
-    return { mesh, place, isSkinned, toWorld: isSkinned ? skins.toWorld(skin) : worlds.get(node)! };
+    return { mesh, name, place, isSkinned, toWorld: isSkinned ? skins.toWorld(skin) : worlds.get(node)! };
   });
+}
+
+function nameOf(document: GltfDocument, mesh: number, node: Json = {}): string {
+  const names = [node.name, document.element('meshes', mesh, 'scene').name];
+  return names.find((name): name is string => typeof name === 'string') ?? '';
 }
 
 function rootNodes(document: GltfDocument, nodes: readonly unknown[]): unknown[] {

@@ -1,88 +1,186 @@
-import { encodeUtf8, viewOf } from '../bytes.ts';
+import { concatenate } from '../bytes.ts';
+import { splitByUv } from '../look/corners.ts';
+import { imageType, type Look, type Material } from '../look/look.ts';
 import type { Shape } from '../parsed-file.ts';
-import { encodeBase64 } from './base64.ts';
+import { packGlb, packGltf, paddedPieces } from './pack.ts';
 
-/** A new GLB: one mesh, positions rounded to 32 bits, colours if there are any. Without normals, viewers shade it flat. */
+/**
+ * A new GLB: positions rounded to 32 bits, and what there is of colours, texture coordinates, materials with their textures, and
+ * named parts, a mesh each. Without normals, viewers shade it flat.
+ */
 export function writeGlb(shape: Shape): Uint8Array<ArrayBuffer> {
-  const bin = binaryPart(shape);
-  const json = encodeUtf8(JSON.stringify(jsonPart(shape, bin)));
-  const jsonLength = 4 * Math.ceil(json.length / 4);
-  const result = new Uint8Array(12 + 8 + jsonLength + 8 + bin.length);
-  const view = viewOf(result);
-  view.setUint32(0, 0x46546c67, true); // "glTF"
-  view.setUint32(4, 2, true);
-  view.setUint32(8, result.length, true);
-  view.setUint32(12, jsonLength, true);
-  view.setUint32(16, 0x4e4f534a, true); // "JSON"
-  result.fill(32, 20, 20 + jsonLength);
-  result.set(json, 20);
-  view.setUint32(20 + jsonLength, bin.length, true);
-  view.setUint32(24 + jsonLength, 0x004e4942, true); // "BIN"
-  result.set(bin, 28 + jsonLength);
-  return result;
+  return packGlb(new GltfFileMaker(shape).make());
 }
 
 /** A new glTF as one JSON file with its data inside: what `writeGlb` makes, in text. */
 export function writeGltf(shape: Shape): Uint8Array<ArrayBuffer> {
-  const bin = binaryPart(shape);
-  const uri = `data:application/octet-stream;base64,${encodeBase64(bin)}`;
-  return encodeUtf8(JSON.stringify(jsonPart(shape, bin, uri)));
+  return packGltf(new GltfFileMaker(shape).make());
 }
 
-/** Indices, positions, colours, one after the other. */
-function binaryPart({ positions, triangles, colors }: Shape): Uint8Array<ArrayBuffer> {
-  const words = triangles.length + positions.length + (colors?.length ?? 0);
-  const bytes = new Uint8Array(4 * words);
-  const view = viewOf(bytes);
-  let at = 0;
-  for (const index of triangles) {
-    view.setUint32(at, index, true);
-    at += 4;
+const float32 = 5126;
+const uint32 = 5125;
+const vertexData = 34962;
+const indexData = 34963;
+
+/** Faces of one name and material. */
+interface Primitive {
+  readonly name: string;
+  readonly material: number | undefined;
+  readonly indices: number[];
+}
+
+class GltfFileMaker {
+  readonly #shape: Shape;
+  readonly #pieces: Uint8Array[] = [];
+  readonly #views: object[] = [];
+  readonly #accessors: object[] = [];
+  readonly #images: object[] = [];
+  #length = 0;
+
+  constructor(shape: Shape) {
+    this.#shape = shape;
   }
-  for (const list of colors ? [positions, colors] : [positions]) {
-    for (const value of list) {
-      view.setFloat32(at, value, true);
-      at += 4;
+
+  make(): { json: object; bin: Uint8Array } {
+    const { uvs, look } = this.#shape;
+    const vertexOf = this.#vertices(uvs);
+    const attributes = this.#attributes(vertexOf.positionOfVertex, vertexOf.uvs);
+    const primitives = primitivesOf(this.#shape, vertexOf.vertexOfTriangleCorner);
+    const names = [...new Set(primitives.map(({ name }) => name))];
+    const meshes = names.map((name) => ({
+      ...(name === '' ? {} : { name }),
+      primitives: primitives
+        .filter((primitive) => primitive.name === name)
+        .map(({ material, indices }) => ({
+          ...{ attributes, indices: this.#indices(indices) },
+          ...(material === undefined ? {} : { material }),
+        })),
+    }));
+    const materials = look.materials.map((material) => this.#material(material));
+    const textures = this.#images.map((_, source) => ({ source }));
+    const json = {
+      asset: { version: '2.0', generator: 'Whittle' },
+      ...{ scene: 0, scenes: [{ nodes: names.map((_, i) => i) }] },
+      nodes: names.map((name, mesh) => ({ ...(name === '' ? {} : { name }), mesh })),
+      ...{ meshes, accessors: this.#accessors, bufferViews: this.#views },
+      ...(materials.length > 0 ? { materials } : {}),
+      ...(textures.length > 0 ? { textures, images: this.#images } : {}),
+      buffers: [{ byteLength: this.#length }],
+    };
+    return { json, bin: concatenate(paddedPieces(this.#pieces)) };
+  }
+
+  /** One vertex for each position, or for each pair of texture coordinates that it has. */
+  #vertices(uvs: Float32Array | undefined) {
+    const { positions, triangles, triangleCorners } = this.#shape;
+    if (!uvs) {
+      const positionOfVertex = Uint32Array.from({ length: positions.length / 3 }, (_, p) => p);
+      return { positionOfVertex, vertexOfTriangleCorner: triangles };
     }
+    const split = splitByUv(this.#shape, uvs);
+    return {
+      positionOfVertex: split.positionOfVertex,
+      uvs: split.uvs,
+      vertexOfTriangleCorner: triangleCorners.map((corner) => split.vertexOfCorner[corner]),
+    };
   }
+
+  #attributes(positionOfVertex: Uint32Array, uvs: Float32Array | undefined): object {
+    const { positions, colors } = this.#shape;
+    const gathered = (values: ArrayLike<number>) =>
+      new Float32Array(3 * positionOfVertex.length).map(
+        (_, i) => values[3 * positionOfVertex[Math.floor(i / 3)] + (i % 3)],
+      );
+    const place = gathered(positions);
+    // glTF counts v downward, and has texture coordinates at every vertex or at none.
+    const flipped = uvs?.map((value, i) => (Number.isNaN(value) ? 0 : i % 2 === 0 ? value : 1 - value));
+    return {
+      POSITION: this.#accessor(place, 'VEC3', boundsOf(place)),
+      ...(flipped ? { TEXCOORD_0: this.#accessor(flipped, 'VEC2') } : {}),
+      ...(colors ? { COLOR_0: this.#accessor(gathered(colors), 'VEC3') } : {}),
+    };
+  }
+
+  #accessor(values: Float32Array, type: 'VEC2' | 'VEC3', bounds: object = {}): number {
+    const bufferView = this.#view(littleEndian(values), vertexData);
+    const count = values.length / Number(type.slice(3));
+    return this.#accessors.push({ bufferView, componentType: float32, count, type, ...bounds }) - 1;
+  }
+
+  #indices(indices: readonly number[]): number {
+    const bufferView = this.#view(littleEndian(Uint32Array.from(indices)), indexData);
+    return (
+      this.#accessors.push({ bufferView, componentType: uint32, count: indices.length, type: 'SCALAR' }) - 1
+    );
+  }
+
+  #material({ name, color, texture }: Material): object {
+    const bytes = texture?.bytes;
+    const mimeType = bytes && imageType(bytes);
+    const baseColorTexture = mimeType && { index: this.#image(texture.name, mimeType, bytes) };
+    return {
+      name,
+      pbrMetallicRoughness: {
+        ...(color ? { baseColorFactor: color } : {}),
+        ...(baseColorTexture ? { baseColorTexture } : {}),
+        metallicFactor: 0,
+      },
+      ...(color && color[3] < 1 ? { alphaMode: 'BLEND' } : {}),
+    };
+  }
+
+  /** Materials that share an image share it in the new file too. */
+  #image(name: string, mimeType: string, bytes: Uint8Array): number {
+    const known = this.#pieces.indexOf(bytes);
+    const bufferView = known >= 0 ? known : this.#view(bytes);
+    const same = this.#images.findIndex((image) => 'bufferView' in image && image.bufferView === bufferView);
+    return same >= 0 ? same : this.#images.push({ name, mimeType, bufferView }) - 1;
+  }
+
+  #view(bytes: Uint8Array, target?: number): number {
+    const view = {
+      buffer: 0,
+      byteOffset: this.#length,
+      byteLength: bytes.length,
+      ...(target ? { target } : {}),
+    };
+    this.#pieces.push(bytes);
+    this.#length += 4 * Math.ceil(bytes.length / 4);
+    return this.#views.push(view) - 1;
+  }
+}
+
+/** Triangles by name and material, in the order in which these come first. */
+function primitivesOf({ faces, look, triangles }: Shape, vertexOfTriangleCorner: Uint32Array): Primitive[] {
+  const found = new Map<string, Primitive>();
+  const parts: Look['parts'] = look.parts.length > 0 ? look.parts : [{ firstFace: 0, name: '' }];
+  // A polygon of n corners gives n − 2 triangles.
+  const cornersBefore = (face: number) => 3 * (faces.start[face] - 2 * face);
+  parts.forEach(({ firstFace, name, material }, i) => {
+    const key = JSON.stringify([name, material]);
+    const primitive = found.get(key) ?? { name, material, indices: [] };
+    found.set(key, primitive);
+    const end = i + 1 < parts.length ? cornersBefore(parts[i + 1].firstFace) : triangles.length;
+    for (let c = cornersBefore(firstFace); c < end; c++) primitive.indices.push(vertexOfTriangleCorner[c]);
+  });
+  return [...found.values()];
+}
+
+function littleEndian(values: Float32Array | Uint32Array): Uint8Array {
+  const bytes = new Uint8Array(4 * values.length);
+  const view = new DataView(bytes.buffer);
+  if (values instanceof Float32Array) values.forEach((value, i) => void view.setFloat32(4 * i, value, true));
+  else values.forEach((value, i) => void view.setUint32(4 * i, value, true));
   return bytes;
 }
 
-function jsonPart(shape: Shape, bin: Uint8Array, uri?: string): object {
-  const { positions, triangles, colors } = shape;
-  const lengths = [4 * triangles.length, 4 * positions.length, ...(colors ? [4 * colors.length] : [])];
-  const targets = [34963, 34962, 34962]; // index, then vertex data
-  const count = positions.length / 3;
-  const vectors = { componentType: 5126, count, type: 'VEC3' };
-  return {
-    asset: { version: '2.0', generator: 'Whittle' },
-    scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0 }],
-    meshes: [
-      { primitives: [{ attributes: { POSITION: 1, ...(colors ? { COLOR_0: 2 } : {}) }, indices: 0 }] },
-    ],
-    accessors: [
-      { bufferView: 0, componentType: 5125, count: triangles.length, type: 'SCALAR' },
-      { bufferView: 1, ...vectors, ...floatBounds(positions) },
-      ...(colors ? [{ bufferView: 2, ...vectors }] : []),
-    ],
-    bufferViews: lengths.map((byteLength, i) => {
-      const byteOffset = lengths.slice(0, i).reduce((sum, length) => sum + length, 0);
-      return { buffer: 0, byteOffset, byteLength, target: targets[i] };
-    }),
-    buffers: [uri === undefined ? { byteLength: bin.length } : { byteLength: bin.length, uri }],
-  };
-}
-
-/** The smallest and largest of the positions as the file has them, rounded. */
-function floatBounds(positions: Float64Array): { min: number[]; max: number[] } {
+/** The smallest and largest of the positions. */
+function boundsOf(positions: Float32Array): { min: number[]; max: number[] } {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i++) {
-    const value = Math.fround(positions[i]);
-    min[i % 3] = Math.min(min[i % 3], value);
-    max[i % 3] = Math.max(max[i % 3], value);
+    min[i % 3] = Math.min(min[i % 3], positions[i]);
+    max[i % 3] = Math.max(max[i % 3], positions[i]);
   }
   return { min, max };
 }

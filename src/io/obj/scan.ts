@@ -17,13 +17,21 @@ export interface ObjFile extends ParsedFile {
   readonly normalOffsets: Uint32Array;
   /** #C index of the normal of each corner, or {@link none}; empty if no corner has one. */
   readonly normalOfCorner: Uint32Array;
+  /** Byte offsets of statements that may name groups, materials or files. */
+  readonly statementOffsets: Uint32Array;
+  /** How many faces stand before each of these. */
+  readonly facesBefore: Uint32Array;
 }
 
 const lf = 10;
 const slash = 47;
 const letterF = 102;
+const letterG = 103;
+const letterM = 109;
 const letterN = 110;
+const letterO = 111;
 const letterT = 116;
+const letterU = 117;
 const letterV = 118;
 
 /**
@@ -47,6 +55,8 @@ class ObjScan {
   readonly #normalOfCorner = new IndexList();
   readonly #uvs = new FloatList();
   readonly #uvOfCorner = new IndexList();
+  readonly #statementOffsets = new IndexList();
+  readonly #facesBefore = new IndexList();
   readonly #extra = new Float64Array(5);
 
   constructor(bytes: Uint8Array, name: string) {
@@ -58,7 +68,10 @@ class ObjScan {
     const { bytes } = scanner;
     for (; !scanner.done; scanner.nextLine()) {
       const first = scanner.peekInLine();
-      if (first !== letterV && first !== letterF) continue;
+      if (first !== letterV && first !== letterF) {
+        if (mayName(first)) this.#note();
+        continue;
+      }
       const second = bytes[++scanner.at];
       if (first === letterF) {
         if (isBlank(second)) this.#face();
@@ -71,6 +84,11 @@ class ObjScan {
       }
     }
     return this.#finish();
+  }
+
+  #note(): void {
+    this.#statementOffsets.push(this.#scanner.at);
+    this.#facesBefore.push(this.#faces.faceCount);
   }
 
   #vertex(): void {
@@ -212,6 +230,8 @@ class ObjScan {
       normals: this.#normals.take(),
       normalOffsets: this.#normalOffsets.take(),
       normalOfCorner,
+      statementOffsets: this.#statementOffsets.take(),
+      facesBefore: this.#facesBefore.take(),
     };
   }
 
@@ -233,6 +253,11 @@ class ObjScan {
     while (this.#colors.length < length) this.#colors.push(Number.NaN);
     return { colors: linearColors(this.#colors.take()) };
   }
+}
+
+/** Whether a statement that begins so may be `o`, `g`, `usemtl` or `mtllib`. */
+function mayName(first: number): boolean {
+  return first === letterO || first === letterG || first === letterU || first === letterM;
 }
 
 /** A blank, or the continuation of the line. */
