@@ -1,5 +1,6 @@
 import type { Engine } from '../engine/client.ts';
-import type { FilesBeside, Format } from '../io/index.ts';
+import { type Gathering, gatherBeside } from '../engine/gather.ts';
+import type { Format } from '../io/index.ts';
 import { toFailure } from '../mesh/failure.ts';
 import { findMethod } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
@@ -72,18 +73,20 @@ export class Editor {
   /**
    * Opens a file and runs its stack. The mesh that was there stays until the new one is known to be good.
    *
-   * @param beside files that it refers to
+   * @param readBeside finds files that it refers to, by their paths from its folder
    */
   open(
     bytes: Uint8Array<ArrayBuffer>,
     name: string,
     begin: Beginning = {},
-    beside?: FilesBeside,
+    readBeside?: Gathering['read'],
   ): Promise<void> {
-    const read = async (signal: AbortSignal) => ({
-      ...{ bytes, name, ...(beside ? { beside } : {}) },
-      ...(await this.#engine.read(bytes, name, { signal, beside })),
-    });
+    const read = async (signal: AbortSignal) => {
+      const gathering = readBeside && { read: readBeside, signal };
+      const beside = gathering && (await gatherBeside(this.#engine, bytes, name, gathering));
+      const file = { bytes, name, ...(beside ? { beside } : {}) };
+      return { ...file, ...(await this.#engine.read(bytes, name, { signal, beside })) };
+    };
     return this.#open(name, read, begin);
   }
 

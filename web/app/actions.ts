@@ -11,6 +11,7 @@ import type { Viewer } from '../../src/viewer/viewer.ts';
 import type { NormalPainter } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
 import { commandLine, exportName, ownFormat, recipeName } from './export.ts';
+import { beside, type FoundFile, found, unpackArchives } from './found-files.ts';
 import type { ImageActions } from './image-actions.ts';
 import { obstacle } from './offered-methods.ts';
 import type { Look, PageStore } from './page-state.ts';
@@ -71,30 +72,30 @@ export class Page {
     else void this.styles.chooseMethod(id);
   }
 
-  /** Opens the mesh among some files; says what it left out. An image alone goes on the mesh, or is a normal capture. */
-  async openFiles(files: readonly File[]): Promise<void> {
+  /** Opens the mesh among some files, with what it refers to; says what it left out. An image alone goes on the mesh, or is a normal capture. */
+  async openFiles(files: readonly FoundFile[]): Promise<void> {
     const { project } = this.store.state;
     const takesImages = project && imageParameter(findMethod(activeStep(project).method)) !== undefined;
     if (takesImages && files.length > 0 && files.every(({ name }) => imageNames.test(name)))
       return this.images.add(files);
     if (files.length === 1 && /\.png$/i.test(files[0]!.name)) return this.addStyles(files);
-    const { mesh, note } = chooseMesh(files);
-    if (!mesh) {
-      if (note) this.store.set({ notice: { tone: 'error', text: note } });
-      return;
-    }
     await this.#attempt(async () => {
-      await this.editor.open(new Uint8Array(await mesh.arrayBuffer()), mesh.name);
+      const all = await unpackArchives(files);
+      const { mesh, note } = chooseMesh(all);
+      if (!mesh && note) this.store.set({ notice: { tone: 'error', text: note } });
+      if (!mesh) return;
+      const bytes = new Uint8Array(await mesh.arrayBuffer());
+      await this.editor.open(bytes, mesh.name, {}, beside(mesh, all));
       if (note && !this.store.state.notice) this.store.set({ notice: { tone: 'note', text: note } });
     });
   }
 
   pickFile(): void {
-    pickFiles(meshEndings, (files) => void this.openFiles(files));
+    pickFiles(`${meshEndings},${besideEndings}`, (files) => void this.openFiles(files));
   }
 
   /** Makes styles of meshes and normal captures; the last one is put on. */
-  async addStyles(files: readonly File[]): Promise<void> {
+  async addStyles(files: readonly FoundFile[]): Promise<void> {
     for (const file of files)
       await this.#attempt(async () => this.styles.add(new Uint8Array(await file.arrayBuffer()), file.name));
   }
@@ -182,12 +183,14 @@ export class Page {
 }
 
 const meshEndings = fileNameEndings.join();
+/** What goes with a mesh, or holds it. */
+const besideEndings = '.bin,.mtl,.png,.jpg,.jpeg,.zip';
 
-function pickFiles(endings: string, take: (files: readonly File[]) => void): void {
+function pickFiles(endings: string, take: (files: readonly FoundFile[]) => void): void {
   const input = document.createElement('input');
   input.type = 'file';
   input.multiple = true;
   input.accept = endings;
-  input.addEventListener('change', () => take([...(input.files ?? [])]));
+  input.addEventListener('change', () => take([...(input.files ?? [])].map((file) => found(file))));
   input.click();
 }

@@ -1,4 +1,5 @@
 import type { Page } from './actions.ts';
+import { filesOfDrop } from './found-files.ts';
 
 /**
  * Makes the whole window a place to drop files: for meshes to carve, over the styles for styles and over the images for images.
@@ -30,13 +31,15 @@ export function listenForDrops(page: Page, target: Window = window): void {
     if (!hasFiles(event)) return;
     event.preventDefault();
     end();
-    const files = [...event.dataTransfer!.files];
-    const take = {
-      style: () => page.addStyles(files),
-      image: () => page.images.add(files),
-      mesh: () => page.openFiles(files),
-    };
-    void take[goods(event)]();
+    const place = goods(event);
+    void filesOfDrop(event.dataTransfer!).then((files) => {
+      const take = {
+        style: () => page.addStyles(files),
+        image: () => page.images.add(files),
+        mesh: () => page.openFiles(files),
+      };
+      return take[place]();
+    });
   });
 }
 

@@ -5,6 +5,7 @@ import { layTexture } from '../../src/inputs/images/lay.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
+import type { FoundFile } from './found-files.ts';
 import { freeName } from './free-name.ts';
 import { embeddedImage, type ImageEntry, ownImage } from './image-gallery.ts';
 import type { PageStore } from './page-state.ts';
@@ -76,7 +77,7 @@ export class ImageActions {
   }
 
   /** Takes images of the person's own; the last one is put on. */
-  async add(files: readonly File[]): Promise<void> {
+  async add(files: readonly FoundFile[]): Promise<void> {
     for (const file of files) {
       try {
         const image = await readImage(new Uint8Array(await file.arrayBuffer()), file.name);
