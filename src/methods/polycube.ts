@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { iterations } from './shared-parameters.ts';
+import { iterations, parts } from './shared-parameters.ts';
 
 export const polycube: MethodDescriptor = {
   id: 'polycube',
@@ -42,6 +42,7 @@ export const polycube: MethodDescriptor = {
       max: 1,
       unit: '',
     },
+    parts,
     iterations(50),
   ],
 };

@@ -12,6 +12,17 @@ export const handles: HandlesParameter = {
   invalidates: 'system',
 };
 
+export const parts: ChoiceParameter = {
+  name: 'parts',
+  kind: 'choice',
+  label: 'Parts',
+  doc: 'Whether parts that touch or cross each other stay in touch, or each is shaped as if it were alone.',
+  invalidates: 'system',
+  advanced: true,
+  default: 'together',
+  choices: ['together', 'free'],
+};
+
 const acceleration: ChoiceParameter = {
   name: 'acceleration',
   kind: 'choice',
@@ -79,6 +90,7 @@ export function iterations(usual: number): NumberParameter {
 /** What every local/global method with targets that stay ends its list with. */
 export const shared: readonly ParameterDescriptor[] = [
   handles,
+  parts,
   acceleration,
   stopOn,
   tolerance,

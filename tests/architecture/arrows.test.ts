@@ -51,7 +51,7 @@ const coreArrows: Record<string, string[]> = {
   geometry: ['mesh', 'simd', 'base'],
   linear: ['simd', 'base'],
   targets: ['geometry', 'mesh', 'simd', 'base'],
-  constraints: ['mesh', 'simd', 'base'],
+  constraints: ['geometry', 'mesh', 'simd', 'base'],
   methods: ['constraints', 'targets', 'linear', 'geometry', 'mesh', 'simd', 'base'],
   session: ['methods', 'constraints', 'targets', 'mesh', 'base'],
 };

@@ -18,7 +18,8 @@ Lanes ArapLocalStep::fit(std::size_t, const MatrixLanes& covariances, bool, Quat
 MethodInfo arapMethod() {
   using P = ArapParameters;
   const ParameterList<P> own = {bind("regularizer", &P::regularizer, Stale::all, rigidities()),
-                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+                                bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                                bind("parts", &P::parts, Stale::system, waysOfParts())};
   return methodInfo<LocalGlobalMethod<ArapLocalStep>>("arap", withGroup(own, &P::solver, solverParameters()));
 }
 

@@ -25,7 +25,9 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
       .add(Stale::all, "measuring the mesh", 3, [this, &rest] { measure(rest); })
       .add(Stale::all, "collecting the edges", 4, [this, values] { beginCollecting(values().rigidity); })
       .add(Stale::all, "collecting the edges", 8, [this](double& done) { collectEdges(done); })
-      .add(Stale::system, "assembling the system", 4, [this, values] { assembleSystem(values().handles); })
+      .add(Stale::all, "finding where parts touch", 3, [this](double& done) { findContacts(done); })
+      .add(Stale::system, "assembling the system", 4,
+           [this, values] { assembleSystem(values().handles, values().parts); })
       .add(Stale::system, "factoring the system", 80, [this](double& done) { return system_.prepareNext(done); })
       .add(Stale::weights, "preparing the local step", 2,
            [this, prepareStep] {
@@ -34,7 +36,7 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
            })
       .add(Stale::targets, "taking the settings", 1,
            [this, values] {
-             const auto [rigidity, handles, solver] = values();
+             const auto [rigidity, handles, solver, parts] = values();
              handles_ = handles;
              accelerationKind_ = solver.acceleration;
              stopping_.quantity = solver.stopOn;
@@ -49,6 +51,7 @@ void LocalGlobal::measure(const TriangleMesh& rest) {
       RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
+  contactSearch_.reset();  // what was broken off knows another shape
 }
 
 void LocalGlobal::beginCollecting(Rigidity rigidity) {
@@ -65,6 +68,14 @@ void LocalGlobal::collectEdges(double& done) {
   for (const SymmetricLanes& M : edges_->restCovariances()) sizeOfTerms_ += sumOf(toDouble(M.xx + M.yy + M.zz));
 }
 
+void LocalGlobal::findContacts(double& done) {
+  if (!contactSearch_) contactSearch_ = std::make_unique<ContactSearch>(rest_->mesh, components_);
+  done = contactSearch_->next();
+  if (done < 1) return;
+  contacts_ = Attachments(contactSearch_->take());
+  contactSearch_.reset();
+}
+
 void LocalGlobal::claimRunningState() {
   const Index vertexCount = rest_->mesh.vertexCount();
   for (auto* rotations : {&guess_, &rotations_})
@@ -77,13 +88,19 @@ void LocalGlobal::claimRunningState() {
   isClaimed_ = true;
 }
 
-void LocalGlobal::assembleSystem(const Handles& handles) {
-  gauge_.emplace(components_, handles.vertices, rest_->mesh.positions, rest_->areas);
+void LocalGlobal::assembleSystem(const Handles& handles, Parts parts) {
+  attachments_ = parts == Parts::together ? contacts_ : Attachments();
+  gauge_.emplace(attachments_.tied(components_), handles.vertices, rest_->mesh.positions, rest_->areas);
   std::vector<Index> held = handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
   const TriangleMesh& mesh = rest_->mesh;
-  system_.beginPrepare(cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount()), std::move(held),
-                       {.isOrdered = true});
+  SparseMatrix matrix = cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount());
+  Ordering ordering{.isOrdered = true};
+  if (!attachments_.empty()) {
+    matrix += attachments_.lower(mesh.vertexCount());
+    ordering = {.coordinates = &mesh.positions};  // that of the vertices does not know of the ties
+  }
+  system_.beginPrepare(std::move(matrix), std::move(held), ordering);
 }
 
 void LocalGlobal::begin(Points& positions) {
@@ -131,7 +148,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
 double LocalGlobal::localStep(const Displacements& displacements, Guess guess) {
   std::fill(residual_.begin(), residual_.end(), LaneRow{});
   double energy =
-      localStep_.targetEnergy() + edges_->visits() * edges_->stiffEdges().addForces(displacements.exact(), residual_);
+      localStep_.targetEnergy() + edges_->visits() * (edges_->stiffEdges().addForces(displacements.exact(), residual_) +
+                                                      attachments_.addForces(displacements.rows(), residual_));
   const Index count = edges_->elementCount();
   for (Index first = 0; first < count; first += kBlock) {
     const ElementRange block{first, std::min(first + kBlock, count)};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "constraints/contact_search.h"
 #include "constraints/gauge.h"
 #include "linear/constrained_quadratic.h"
 #include "methods/local_global/acceleration.h"
@@ -14,6 +15,7 @@
 #include "methods/local_global/rigidity.h"
 #include "methods/local_global/solver_parameters.h"
 #include "methods/method.h"
+#include "methods/parts.h"
 
 namespace whittle {
 
@@ -22,13 +24,15 @@ struct EngineValues {
   Rigidity rigidity = Rigidity::arap;
   Handles handles;
   SolverParameters solver;
+  Parts parts = Parts::together;
 };
 
 /// The engine of all local/global methods.
 ///
 /// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating
 /// between the rotations R (local step, the policy) and the positions (global step, one Poisson solve with handles
-/// eliminated and each loose part held by its gauge). The energy of the points that iterations start from never rises,
+/// eliminated and what is loose held by its gauge). Parts that touch are tied by `Attachments`, whose energy belongs to
+/// it. The energy of the points that iterations start from never rises,
 /// accelerated or not.
 class LocalGlobal {
  public:
@@ -48,7 +52,8 @@ class LocalGlobal {
   void beginCollecting(Rigidity rigidity);
   void collectEdges(double& done);
   void claimRunningState();
-  void assembleSystem(const Handles& handles);
+  void findContacts(double& done);
+  void assembleSystem(const Handles& handles, Parts parts);
   /// Where the rotations of a local step start from.
   enum class Guess {
     continued,  // where they would go on to as they last turned: about half as many steps; for an iteration's first only
@@ -78,8 +83,11 @@ class LocalGlobal {
   std::unique_ptr<EdgeSet> edges_;
   double sizeOfTerms_ = 0;  // Σ tr(M⁰_k)
   Components components_;
+  std::unique_ptr<ContactSearch> contactSearch_;  // while it goes on
+  Attachments contacts_;
 
   // Prepared once per set of held vertices
+  Attachments attachments_;  // the contacts, or none where parts are free
   std::optional<Gauge> gauge_;
   ConstrainedQuadratic system_;
 

@@ -40,9 +40,11 @@ Status PolyCube::check(const PolyCubeParameters& values) const {
 std::vector<Stage> PolyCube::plan(const TriangleMesh& rest, const PolyCubeParameters& values, Stale stale) {
   return Plan(stale)
       .add(Stale::all, "measuring the mesh", 10, [this, &rest] { measure(rest); })
-      .add(Stale::all, "analyzing the system", 7, [this](double& done) { analyzeSystem(done); })
+      .add(Stale::all, "finding where parts touch", 3, [this](double& done) { findContacts(done); })
+      .add(Stale::system, "assembling the system", 3, [this, &values] { beginSystem(values.parts); })
+      .add(Stale::system, "analyzing the system", 7, [this](double& done) { analyzeSystem(done); })
       // Claims what the steps work in.
-      .add(Stale::all, "factoring the system", 65, [this](double& done) { return cholesky_.factorizeNext(done); })
+      .add(Stale::system, "factoring the system", 65, [this](double& done) { return cholesky_.factorizeNext(done); })
       .add(Stale::targets, "taking the settings", 1,
            [this, &values] {
              values_ = values;
@@ -54,20 +56,46 @@ std::vector<Stage> PolyCube::plan(const TriangleMesh& rest, const PolyCubeParame
 
 void PolyCube::measure(const TriangleMesh& rest) {
   rest_ = &rest;
-  const Scalars areas = barycentricAreas(rest.positions, rest.triangles);
-  gauge_.emplace(connectedComponents(rest.triangles, rest.vertexCount()), std::vector<Index>{}, rest.positions, areas);
-  halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
-  laplacian_.emplace(rest.triangles, rest.vertexCount(), gauge_->pins());
+  components_ = connectedComponents(rest.triangles, rest.vertexCount());
+  contactSearch_.reset();  // what was broken off knows another shape
   ringSmoothing_.prepare(rest.positions, rest.triangles);
   moves_.resize(rest.vertexCount(), 3);
+  displacements_.resize(rest.vertexCount(), 3);
   previous_ = rest.positions;
+}
+
+void PolyCube::findContacts(double& done) {
+  if (!contactSearch_) contactSearch_ = std::make_unique<ContactSearch>(*rest_, components_);
+  done = contactSearch_->next();
+  if (done < 1) return;
+  contacts_ = Attachments(contactSearch_->take());
+  contactSearch_.reset();
+}
+
+void PolyCube::beginSystem(Parts parts) {
+  attachments_ = parts == Parts::together ? contacts_ : Attachments();
+  const Scalars areas = barycentricAreas(rest_->positions, rest_->triangles);
+  gauge_.emplace(attachments_.tied(components_), std::vector<Index>{}, rest_->positions, areas);
+  halfCotangents_ = halfCotangents(rest_->positions, rest_->triangles);
+  laplacian_.emplace(rest_->triangles, rest_->vertexCount(), gauge_->pins());
   laplacian_->fill(halfCotangents_);
-  cholesky_.beginAnalyze(laplacian_->lower(), {.isOrdered = true});
+  if (attachments_.empty()) {
+    cholesky_.beginAnalyze(laplacian_->lower(), {.isOrdered = true});
+  } else {
+    ties_ = attachments_.lower(rest_->vertexCount(), gauge_->pins());
+    cholesky_.beginAnalyze(system(), {.coordinates = &rest_->positions});
+  }
+}
+
+const SparseMatrix& PolyCube::system() {
+  if (attachments_.empty()) return laplacian_->lower();
+  tiedSystem_ = laplacian_->lower() + ties_;
+  return tiedSystem_;
 }
 
 void PolyCube::analyzeSystem(double& done) {
   done = cholesky_.analyzeNext();
-  if (done == 1) cholesky_.beginFactorize(laplacian_->lower(), true);
+  if (done == 1) cholesky_.beginFactorize(system(), true);
 }
 
 void PolyCube::begin(Points& positions) {
@@ -116,11 +144,14 @@ double PolyCube::rotateFaces(const Points& positions) {
     const Vec3 rotated = n + rotationChange * n;
     energy += vector.norm() * (1 - rotated.dot(n) + values_.lambda * (1 - rotated.dot(t)));
   }
-  return energy;
+  if (attachments_.empty()) return energy;
+  displacements_ = positions - rest_->positions;
+  return energy + attachments_.addForces(displacements_, moves_);
 }
 
 Status PolyCube::globalStep(Points& positions) {
-  Status status = cholesky_.factorize(laplacian_->fill(halfCotangents_), true);
+  laplacian_->fill(halfCotangents_);
+  Status status = cholesky_.factorize(system(), true);
   if (!status.ok()) return status;
   for (const Index pin : gauge_->pins()) moves_.row(pin).setZero();
   cholesky_.solve(moves_);
@@ -141,6 +172,7 @@ MethodInfo polycubeMethod() {
   return methodInfo<PolyCube>("polycube", {bind("directions", &P::directions, Stale::targets, StyleKind{}),
                                            bind("lambda", &P::lambda, Stale::targets, NumberKind{{0, 100}}),
                                            bind("smoothing", &P::smoothing, Stale::targets, NumberKind{{0, 1}}),
+                                           bind("parts", &P::parts, Stale::system, waysOfParts()),
                                            bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
 }
 

@@ -3,10 +3,12 @@
 #include <memory>
 #include <optional>
 
+#include "constraints/contact_search.h"
 #include "constraints/gauge.h"
 #include "geometry/cotangent.h"
 #include "linear/sparse_cholesky.h"
 #include "methods/method.h"
+#include "methods/parts.h"
 #include "methods/polycube/ring_smoothing.h"
 #include "methods/stopping_rule.h"
 #include "targets/gauss_map.h"
@@ -18,6 +20,7 @@ struct PolyCubeParameters {
   double lambda = 1;                           // λ, Eq. 4
   double smoothing = 0.2;                      // share of the way by which corners of bad triangles are smoothed, §5.1
   int maxIterations = 50;
+  Parts parts = Parts::together;  // whether those that touch are tied
 };
 
 /// PolyCube deformation and its kin for other sets of directions (2021, §5.1): face normals turn to the closest of a
@@ -27,7 +30,8 @@ struct PolyCubeParameters {
 ///     min over R, u of Σ_f Σ_{e∈f} c_e |R_f d_e − u_e|² + λ a_f |R_f n_f − t_f|²  (FARAP, Eq. 4)
 ///
 /// with edges d, cotangents, normals, areas and targets t_f of the present shape. There the local step has a closed
-/// form; the global one factors the present Laplacian on the pattern of the input's. Each part keeps its centre.
+/// form; the global one factors the present Laplacian on the pattern of the input's. Parts that touch are tied by
+/// `Attachments`, which pull towards the distances that the input has. Each part, or tied group, keeps its centre.
 /// Normals soon lie right and the shape still drifts, so the number of iterations says when to stop.
 class PolyCube : public MethodOf<PolyCubeParameters> {
  public:
@@ -39,7 +43,11 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
 
  private:
   void measure(const TriangleMesh& rest);
+  void findContacts(double& done);
+  void beginSystem(Parts parts);
   void analyzeSystem(double& done);
+  /// The present Laplacian, with the ties.
+  const SparseMatrix& system();
   /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the
   /// energy.
   double rotateFaces(const Points& positions);
@@ -52,6 +60,14 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
 
   // Prepared once per mesh
   const TriangleMesh* rest_ = nullptr;
+  Components components_;
+  std::unique_ptr<ContactSearch> contactSearch_;  // while it goes on
+  Attachments contacts_;
+
+  // Prepared once for what parts do
+  Attachments attachments_;  // the contacts, or none where parts are free
+  SparseMatrix ties_;        // their lower triangle, if there are any
+  SparseMatrix tiedSystem_;
   std::optional<Gauge> gauge_;
   std::optional<LaplacianPattern> laplacian_;
   SparseCholesky cholesky_;
@@ -61,6 +77,7 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
   CornerScalars halfCotangents_;
   Points moves_;  // #V×3: what the rotations ask for, then by how much the vertices move
   Points previous_;
+  Points displacements_;  // from rest
 };
 
 /// Rotation change R − I of a face with unit normal n that is drawn to the unit normal t: R about n × t maximises

@@ -113,7 +113,8 @@ MethodInfo cubicMethod() {
                                 bind("orientation", &P::orientation, Stale::weights, RotationKind{}),
                                 bind("frames", &P::frames, Stale::weights, RotationsKind{}),
                                 bind("localStep", &P::localStep, Stale::weights, solvers),
-                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+                                bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                                bind("parts", &P::parts, Stale::system, waysOfParts())};
   return methodInfo<LocalGlobalMethod<CubicLocalStep>>("cubic", withGroup(own, &P::solver, solverParameters()));
 }
 

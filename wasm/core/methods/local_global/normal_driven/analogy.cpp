@@ -45,7 +45,8 @@ MethodInfo analogyMethod() {
                                 bind("regularizer", &P::regularizer, Stale::all, rigidities()),
                                 bind("dynamicTargets", &P::dynamicTargets, Stale::weights, FlagKind{}),
                                 bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 100}}),
-                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+                                bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                                bind("parts", &P::parts, Stale::system, waysOfParts())};
   return methodInfo<LocalGlobalMethod<AnalogyLocalStep>>("analogy", withGroup(own, &P::solver, solverParameters()));
 }
 

@@ -8,7 +8,7 @@ EngineValues DevelopableLocalStep::engineValues(const DevelopableParameters& val
   SolverParameters solver;
   solver.stopOn = StoppingRule::Quantity::iterations;
   solver.maxIterations = values.maxIterations;
-  return {Rigidity::farap, values.handles, solver};
+  return {Rigidity::farap, values.handles, solver, values.parts};
 }
 
 void DevelopableLocalStep::prepare(const RestShape& rest, const DevelopableParameters& values) {
@@ -32,6 +32,7 @@ MethodInfo developableMethod() {
                       bind("creases", &P::creases, Stale::weights, NumberKind{{0, 1}}),
                       bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 1000}}),
                       bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                      bind("parts", &P::parts, Stale::system, waysOfParts()),
                       bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
 }
 

@@ -30,7 +30,8 @@ MethodInfo normalmapMethod() {
                                 bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 1000}}),
                                 bind("regularizer", &P::regularizer, Stale::all, rigidities()),
                                 bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 1000}}),
-                                bind("handles", &P::handles, Stale::system, HandlesKind{})};
+                                bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                                bind("parts", &P::parts, Stale::system, waysOfParts())};
   return methodInfo<LocalGlobalMethod<NormalMapLocalStep>>("normalmap", withGroup(own, &P::solver, solverParameters()));
 }
 
