@@ -13,41 +13,90 @@ const lastCorner = (corner: number): number => (corner % 3 === 0 ? corner + 2 : 
 
 /** @param triangles #F×3   @param vertices #V */
 export function halfEdgesOf(triangles: Uint32Array, vertices: number): HalfEdges {
-  const low = (c: number): number => Math.min(triangles[c]!, triangles[nextCorner(c)]!);
-  const high = (c: number): number => Math.max(triangles[c]!, triangles[nextCorner(c)]!);
-  const all = Uint32Array.from(triangles.keys()).filter((c) => low(c) !== high(c) && high(c) < vertices);
-  // Sorting by the second end, then by the first and keeping the order: linear, hubs of many edges included.
-  const corners = countingSort(countingSort(all, high, vertices), low, vertices);
-  const start = new Uint32Array(corners.length + 1);
-  let edges = 0;
-  for (let i = 0; i < corners.length; i++) {
-    const isNew =
-      i === 0 || low(corners[i]!) !== low(corners[i - 1]!) || high(corners[i]!) !== high(corners[i - 1]!);
-    if (isNew) start[edges++] = i;
+  const low = new Uint32Array(triangles.length);
+  const high = new Uint32Array(triangles.length);
+  const all = new Uint32Array(triangles.length);
+  let count = 0;
+  for (let c = 0; c < triangles.length; c++) {
+    const [v, w] = [triangles[c]!, triangles[nextCorner(c)]!];
+    low[c] = Math.min(v, w);
+    high[c] = Math.max(v, w);
+    if (v !== w && high[c]! < vertices) all[count++] = c;
   }
-  start[edges] = corners.length;
+  // Sorting by the second end, then by the first and keeping the order: linear, hubs of many edges included.
+  const corners = countingSort(countingSort(all.subarray(0, count), high, vertices), low, vertices);
+  const start = new Uint32Array(count + 1);
+  let edges = 0;
+  for (let i = 0; i < count; i++) {
+    const [c, before] = [corners[i]!, corners[i - 1]!];
+    if (i === 0 || low[c] !== low[before] || high[c] !== high[before]) start[edges++] = i;
+  }
+  start[edges] = count;
   return { triangles, corners, start: start.subarray(0, edges + 1) };
 }
 
-function countingSort(items: Uint32Array, keyOf: (item: number) => number, keys: number): Uint32Array {
+/** @param keyOf key of each item, below `keys` */
+function countingSort(items: Uint32Array, keyOf: Uint32Array, keys: number): Uint32Array {
   const next = new Uint32Array(keys + 1);
-  for (const item of items) next[keyOf(item) + 1]! += 1;
+  for (let i = 0; i < items.length; i++) next[keyOf[items[i]!]! + 1]! += 1;
   for (let key = 0; key < keys; key++) next[key + 1]! += next[key]!;
   const sorted = new Uint32Array(items.length);
-  for (const item of items) sorted[next[keyOf(item)]!++] = item;
+  for (let i = 0; i < items.length; i++) {
+    const key = keyOf[items[i]!]!;
+    sorted[next[key]!] = items[i]!;
+    next[key]! += 1;
+  }
   return sorted;
 }
 
-/** Whether no edge has more than two faces, and two look the same way and are not the same face. */
-export function isSound({ triangles, corners, start }: HalfEdges): boolean {
-  for (let edge = 0; edge + 1 < start.length; edge++) {
-    const count = start[edge + 1]! - start[edge]!;
-    if (count === 1) continue;
-    const [a, b] = [corners[start[edge]!]!, corners[start[edge]! + 1]!];
-    if (count > 2 || triangles[a] === triangles[b]) return false;
-    if (triangles[lastCorner(a)] === triangles[lastCorner(b)]) return false;
+/**
+ * Whether no edge has more than two faces, and two look the same way and are not the same face. Sides are filed by their lower
+ * end only, which is all that this needs and a third of the work of {@link halfEdgesOf}.
+ */
+export function areSound(triangles: Uint32Array, vertices: number): boolean {
+  const { start, corners } = sidesByLowerEnd(triangles, vertices);
+  const seenAt = new Int32Array(vertices).fill(-1);
+  const firstSide = new Uint32Array(vertices);
+  const isPaired = new Uint8Array(vertices);
+  for (let v = 0; v < vertices; v++) {
+    for (let i = start[v]!; i < start[v + 1]!; i++) {
+      const c = corners[i]!;
+      const from = triangles[c]!;
+      const other = from === v ? triangles[nextCorner(c)]! : from;
+      if (seenAt[other] !== v) {
+        seenAt[other] = v;
+        firstSide[other] = c;
+        isPaired[other] = 0;
+        continue;
+      }
+      const first = firstSide[other]!;
+      if (isPaired[other] === 1 || triangles[first] === from) return false;
+      if (triangles[lastCorner(first)] === triangles[lastCorner(c)]) return false;
+      isPaired[other] = 1;
+    }
   }
   return true;
+}
+
+function sidesByLowerEnd(
+  triangles: Uint32Array,
+  vertices: number,
+): { start: Uint32Array; corners: Uint32Array } {
+  const start = new Uint32Array(vertices + 2);
+  for (let c = 0; c < triangles.length; c++) {
+    const [v, w] = [triangles[c]!, triangles[nextCorner(c)]!];
+    if (v !== w && v < vertices && w < vertices) start[Math.min(v, w) + 2]! += 1;
+  }
+  for (let v = 0; v <= vertices; v++) start[v + 1]! += start[v]!;
+  const corners = new Uint32Array(start[vertices + 1]!);
+  for (let c = 0; c < triangles.length; c++) {
+    const [v, w] = [triangles[c]!, triangles[nextCorner(c)]!];
+    if (v === w || v >= vertices || w >= vertices) continue;
+    const low = Math.min(v, w);
+    corners[start[low + 1]!] = c;
+    start[low + 1]! += 1;
+  }
+  return { start, corners };
 }
 
 /** The side across each corner's, #F×3, where an edge joins just two faces; 3·#F elsewhere. */

@@ -53,7 +53,9 @@ export function remarks(report: MeshReport, hasUvs: boolean): string[] {
   const { components, boundaryEdges } = report;
   const sentences: string[] = [];
   if (components > 1)
-    sentences.push(`It has ${count.format(components)} separate parts; each is shaped on its own.`);
+    sentences.push(
+      `It has ${count.format(components)} separate parts; those that touch stay together, others are shaped on their own.`,
+    );
   if (boundaryEdges > 0)
     sentences.push(
       `${count.format(boundaryEdges)} boundary edges: the surface is open somewhere. That is fine.`,

@@ -1,5 +1,5 @@
 import { distinctFaces } from './distinct-faces.ts';
-import { halfEdgesOf, isSound } from './half-edges.ts';
+import { areSound } from './half-edges.ts';
 import type { SolvedFaces } from './mesh.ts';
 import { orient } from './orient.ts';
 
@@ -15,8 +15,7 @@ export function solvedFacesOf(
   positions: Float64Array,
   triangles: Uint32Array<ArrayBuffer>,
 ): SolvedFaces | undefined {
-  const vertices = positions.length / 3;
-  if (isSound(halfEdgesOf(triangles, vertices))) return undefined;
+  if (areSound(triangles, positions.length / 3)) return undefined;
   const { faceOf, solvedOf } = distinctFaces(triangles);
   const kept = cornersOfSolved(triangles, { faceOf, isTurned: new Uint8Array(faceOf.length) });
   const { isTurned, oneSidedEdges } = orient(positions, kept);
@@ -40,11 +39,11 @@ export function cornersOfSolved<T extends Uint32Array | Float32Array>(
 ): T {
   const result = ofCorners.slice(0, 3 * size * faceOf.length) as T;
   for (let face = 0; face < faceOf.length; face++) {
-    const order = isTurned[face] ? [0, 2, 1] : [0, 1, 2];
-    order.forEach((k, corner) => {
-      const from = size * (3 * faceOf[face]! + k);
-      for (let i = 0; i < size; i++) result[size * (3 * face + corner) + i] = ofCorners[from + i]!;
-    });
+    for (let k = 0; k < 3; k++) {
+      const from = size * (3 * faceOf[face]! + (isTurned[face] === 1 ? (3 - k) % 3 : k));
+      const to = size * (3 * face + k);
+      for (let i = 0; i < size; i++) result[to + i] = ofCorners[from + i]!;
+    }
   }
   return result;
 }

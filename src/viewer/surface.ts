@@ -132,11 +132,14 @@ export class Surface {
 
 /** The positions in a box. */
 function insideOf({ min, max }: Extent, positions: Float64Array): Uint32Array {
-  const isInside = (p: number): boolean =>
-    [0, 1, 2].every(
-      (axis) => positions[3 * p + axis]! >= min[axis]! && positions[3 * p + axis]! <= max[axis]!,
-    );
-  return Uint32Array.from({ length: positions.length / 3 }, (_, p) => p).filter(isInside);
+  const inside = new Uint32Array(positions.length / 3);
+  let count = 0;
+  for (let p = 0; p < inside.length; p++) {
+    const [x, y, z] = [positions[3 * p]!, positions[3 * p + 1]!, positions[3 * p + 2]!];
+    const isInside = x >= min[0] && x <= max[0] && y >= min[1] && y <= max[1] && z >= min[2] && z <= max[2];
+    if (isInside) inside[count++] = p;
+  }
+  return inside.subarray(0, count);
 }
 
 /** Bodies flatter than this, by volume for their area, are sheets. */
