@@ -5,12 +5,15 @@
 #include "geometry/cotangent.h"
 #include "geometry/surface.h"
 #include "mesh/unit_frame.h"
+#include "targets/gauss_map.h"
 
 namespace whittle {
 
 void PlainLocalGlobal::assemble() {
   areas_ = barycentricAreas(rest_.positions, rest_.triangles);
-  normals_ = vertexNormals(rest_.positions, rest_.triangles);
+  fans_ = smoothFans(rest_.positions, rest_.triangles);
+  fanAreas_ = barycentricAreas(rest_.positions, rest_.triangles, fans_);
+  normals_ = fanNormals(rest_.positions, rest_.triangles, fans_);
   listHalfEdges();
   if (problem_.strength > 0) lookUpTargets();
   assembleSystem();
@@ -50,13 +53,12 @@ void PlainLocalGlobal::listHalfEdges() {
 }
 
 void PlainLocalGlobal::lookUpTargets() {
-  targetWeights_ = problem_.strength * mixedVoronoiAreas(rest_.positions, rest_.triangles);
-  targets_.resize(rest_.vertexCount(), 3);
-  for (Index i = 0; i < rest_.vertexCount(); ++i) {
-    Index closest;
-    (problem_.style * normals_.row(i).transpose()).maxCoeff(&closest);
-    targets_.row(i) = problem_.style.row(closest);
-    if (normals_.row(i).isZero(0)) targetWeights_[i] = 0;
+  targetWeights_ = problem_.strength * mixedVoronoiAreas(rest_.positions, rest_.triangles, fans_);
+  targets_.resize(fans_.count(), 3);
+  const GaussMap style({.normals = problem_.style});
+  for (Index k = 0; k < fans_.count(); ++k) {
+    targets_.row(k) = style(normals_.row(k).transpose()).transpose();
+    if (normals_.row(k).isZero(0)) targetWeights_[k] = 0;
   }
 }
 
@@ -119,7 +121,7 @@ void PlainLocalGlobal::splitSystem() {
 
 void PlainLocalGlobal::begin(Points& positions) {
   applyHandles(problem_.handles, positions);
-  admm_.assign(rest_.vertexCount(), {});
+  admm_.assign(fans_.count(), {});
   rotations_.resize(3 * rest_.vertexCount(), 3);
 }
 
@@ -130,10 +132,16 @@ void PlainLocalGlobal::localStep(const Points& positions) {
       const HalfEdge& edge = halfEdges_[e];
       M += 2 * edge.c * edge.d * (positions.row(edge.to) - positions.row(edge.from));
     }
-    if (targetWeights_.size() > 0) M += 2 * targetWeights_[i] * normals_.row(i).transpose() * targets_.row(i);
-    const double weight = problem_.cubeness * areas_[i];
-    const Mat3 R =
-        weight > 0 ? plainCubic(M, normals_.row(i).transpose(), weight, problem_.admm, admm_[i]) : plainRotation(M);
+    const Index first = fans_.start[i], count = fans_.countAt(i);
+    std::vector<PlainNormal> normals;
+    bool isCubic = false;
+    for (Index k = first; k < first + count; ++k) {
+      normals.push_back({normals_.row(k).transpose(), problem_.cubeness * fanAreas_[k]});
+      isCubic = isCubic || normals.back().weight > 0;
+      if (targetWeights_.size() > 0) M += 2 * targetWeights_[k] * normals_.row(k).transpose() * targets_.row(k);
+    }
+    const std::span<AdmmState> states{&admm_[first], static_cast<std::size_t>(count)};
+    const Mat3 R = isCubic ? plainCubic(M, std::move(normals), problem_.admm, states) : plainRotation(M);
     rotations_.middleRows<3>(3 * i) = R.transpose();
   }
 }
@@ -165,9 +173,11 @@ double PlainLocalGlobal::energy(const Points& positions) const {
       const Vec3 u = (positions.row(edge.to) - positions.row(edge.from)).transpose();
       sum += edge.c * (R * edge.d - u).squaredNorm();
     }
-    const Vec3 n = R * normals_.row(i).transpose();
-    sum += problem_.cubeness * areas_[i] * n.lpNorm<1>();
-    if (targetWeights_.size() > 0) sum += targetWeights_[i] * (n - targets_.row(i).transpose()).squaredNorm();
+    for (Index k = fans_.start[i]; k < fans_.start[i + 1]; ++k) {
+      const Vec3 n = R * normals_.row(k).transpose();
+      sum += problem_.cubeness * fanAreas_[k] * n.lpNorm<1>();
+      if (targetWeights_.size() > 0) sum += targetWeights_[k] * (n - targets_.row(k).transpose()).squaredNorm();
+    }
   }
   return sum;
 }

@@ -7,6 +7,7 @@
 #include "base/sparse_matrix.h"
 #include "constraints/gauge.h"
 #include "constraints/handles.h"
+#include "geometry/smooth_fans.h"
 #include "mesh/triangle_mesh.h"
 #include "reference/plain_rotation.h"
 
@@ -22,7 +23,8 @@ struct PlainProblem {
 };
 
 /// Cubic stylization, analogies and ARAP with spokes and rims as one would write them down from the papers: double
-/// precision, a singular value decomposition per vertex and fit, Eigen's Cholesky factorization, plain alternation.
+/// precision, a singular value decomposition per vertex and fit, Eigen's Cholesky factorization, plain alternation. One
+/// thing is not in the papers: a vertex on a sharp edge has a normal for each smooth fan of its faces.
 /// Every phase is a call of its own, for the caller to time. Meshes come in the unit frame.
 class PlainLocalGlobal {
  public:
@@ -50,8 +52,8 @@ class PlainLocalGlobal {
   void solve(Points& positions);
   void iterate(Points& positions);
 
-  /// Σ_i [ Σ_{e∈N(i)} c_e |R_i d_e − u_e|² + λ a_i |R_i n_i|₁ ], or + λ A_i |R_i n_i − t_i|², with the rotations of the
-  /// last local step.
+  /// Σ_i [ Σ_{e∈N(i)} c_e |R_i d_e − u_e|² + Σ_k λ a_k |R_i n_k|₁ ], or + λ A_k |R_i n_k − t_k|², over the smooth fans k
+  /// of each vertex, with the rotations of the last local step.
   double energy(const Points& positions) const;
 
  private:
@@ -72,9 +74,11 @@ class PlainLocalGlobal {
 
   // What the rest shape says
   Scalars areas_;                    // #V, barycentric
-  Points normals_;                   // #V×3
-  Scalars targetWeights_;            // #V, λ A_i with mixed Voronoi areas; empty without a style
-  Points targets_;                   // #V×3, t_i
+  SmoothFans fans_;                  // of each vertex; on a smooth surface it has one
+  Scalars fanAreas_;                 // #fans, barycentric
+  Points normals_;                   // #fans×3
+  Scalars targetWeights_;            // #fans, λ A with mixed Voronoi areas; empty without a style
+  Points targets_;                   // #fans×3, t
   std::vector<Index> start_;         // #V + 1, into halfEdges_
   std::vector<HalfEdge> halfEdges_;  // the edges of all faces of vertex 0, of vertex 1, …
   Eigen::SparseMatrix<double, Eigen::RowMajor, Index> rightHandSideOf_;  // K, #V×3#V: B = K [R_0ᵀ; R_1ᵀ; …]
@@ -90,7 +94,7 @@ class PlainLocalGlobal {
   // Running state
   Points rotations_;  // 3#V×3: R_0ᵀ, R_1ᵀ, …
   Points rightHandSide_;
-  std::vector<AdmmState> admm_;
+  std::vector<AdmmState> admm_;  // #fans
 };
 
 /// Longest move of a vertex as a share of the largest displacement: the papers' stopping rule (2019, §3.1).

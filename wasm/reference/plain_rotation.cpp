@@ -14,34 +14,38 @@ Mat3 plainRotation(const Mat3& M) {
   return V * svd.matrixU().transpose();
 }
 
-Mat3 plainCubic(Mat3 M, const Vec3& n, double weight, const AdmmConstants& constants, AdmmState& state) {
+Mat3 plainCubic(Mat3 M, std::vector<PlainNormal> normals, const AdmmConstants& constants, std::span<AdmmState> states) {
   const double root3 = std::sqrt(3.0);
+  double weight = 0;
+  for (const PlainNormal& normal : normals) weight += normal.weight;
   if (constants.scaled && weight > 0) {
     M /= weight;
-    weight = 1;
+    for (PlainNormal& normal : normals) normal.weight /= weight;
   }
-  auto& [z, u, rho] = state;
+  double& rho = states[0].penalty;
   if (rho == 0) rho = constants.penalty;
   Mat3 R = Mat3::Identity();
   for (int step = 0; step < constants.cap; ++step) {
-    R = plainRotation(M + rho * n * (z - u).transpose());
-    const Vec3 before = z;
-    const Vec3 v = R * n + u;
-    z = v.array().sign() * (v.array().abs() - weight / rho).max(0.0);
-    u += R * n - z;
-
-    const double primal = (z - R * n).norm();
-    const double dual = rho * (z - before).norm();
-    const double primalLimit = root3 * constants.absolute + constants.relative * std::max((R * n).norm(), z.norm());
-    const double dualLimit = root3 * constants.absolute + constants.relative * (rho * u).norm();
-    if (primal <= primalLimit && dual <= dualLimit) break;
-    if (primal > 10 * dual) {
-      rho *= 2;
-      u /= 2;
-    } else if (dual > 10 * primal) {
-      rho /= 2;
-      u *= 2;
+    Mat3 target = M;
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      target += rho * normals[k].n * (states[k].z - states[k].u).transpose();
+    R = plainRotation(target);
+    double primal = 0, dual = 0, turned = 0, split = 0, scaledDual = 0;  // squared, of all normals
+    for (std::size_t k = 0; k < normals.size(); ++k) {
+      auto& [z, u, unused] = states[k];
+      const Vec3 before = z, p = R * normals[k].n, v = p + u;
+      z = v.array().sign() * (v.array().abs() - normals[k].weight / rho).max(0.0);
+      u += p - z;
+      primal += (z - p).squaredNorm(), dual += (z - before).squaredNorm();
+      turned += p.squaredNorm(), split += z.squaredNorm(), scaledDual += u.squaredNorm();
     }
+    primal = std::sqrt(primal), dual = rho * std::sqrt(dual);
+    const double primalLimit = root3 * constants.absolute + constants.relative * std::sqrt(std::max(turned, split));
+    const double dualLimit = root3 * constants.absolute + constants.relative * rho * std::sqrt(scaledDual);
+    if (primal <= primalLimit && dual <= dualLimit) break;
+    const double factor = primal > 10 * dual ? 2 : dual > 10 * primal ? 0.5 : 1;
+    rho *= factor;
+    for (AdmmState& state : states) state.u /= factor;
   }
   return R;
 }

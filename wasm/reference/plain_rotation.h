@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "base/types.h"
 
 namespace whittle {
@@ -20,14 +23,22 @@ struct AdmmConstants {
   static AdmmConstants tight() { return {5, 1e-11, 1e-11, 3000, true}; }
 };
 
-/// What ADMM keeps of a vertex from one outer iteration to the next.
+/// What ADMM keeps of a normal from one outer iteration to the next.
 struct AdmmState {
   Vec3 z = Vec3::Zero();  // stands for R n
   Vec3 u = Vec3::Zero();  // scaled dual
-  double penalty = 0;     // ρ; 0 before the first call
+  double penalty = 0;     // ρ, of a vertex's first normal for all; 0 before the first call
 };
 
-/// max_R tr(R M) − weight |R n|₁ by ADMM; where the steps run out, the rotation of the last.
-Mat3 plainCubic(Mat3 M, const Vec3& n, double weight, const AdmmConstants& constants, AdmmState& state);
+/// A normal of a vertex, one for each smooth fan of its faces, and its weight λ a.
+struct PlainNormal {
+  Vec3 n;
+  double weight;
+};
+
+/// max_R tr(R M) − Σ_k weight_k |R n_k|₁ by ADMM; where the steps run out, the rotation of the last. Of one normal it is
+/// the printed step.
+/// @param states one for each normal
+Mat3 plainCubic(Mat3 M, std::vector<PlainNormal> normals, const AdmmConstants& constants, std::span<AdmmState> states);
 
 }  // namespace whittle

@@ -19,8 +19,9 @@ using namespace whittle::testing;
 
 namespace {
 
-/// How far the core may stray from double precision within some iterations, as a share of the box.
-constexpr double kSinglePrecision = 1e-6;
+/// How far the core may stray from double precision within some iterations, as a share of the box. (What several normals
+/// of a vertex hold at a kink is met to 5e-7 radians, what one holds to less.)
+constexpr double kSinglePrecision = 2e-6;
 
 /// One flap of two faces back to back (its tip has no normal), three fins on one edge, a face without area.
 TriangleMesh awkward() {
@@ -51,7 +52,8 @@ std::vector<NamedMesh> meshes() {
                                 {"grid", bent(grid(9))},
                                 {"Moebius strip", moebiusStrip(24)},
                                 {"two parts", together(bent(sphere(2)), bent(grid(6)), {3, 1, 0})},
-                                {"awkward", awkward()}};
+                                {"awkward", awkward()},
+                                {"block", bent(blocks({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 2))}};
   for (auto& [name, mesh] : all) mesh = inUnitFrame(std::move(mesh));
   return all;
 }
@@ -144,9 +146,10 @@ TEST_CASE("reference: rotations and their ADMM are what they say") {
     const Vec3 n(noise(), noise(), noise());
     const auto objective = [&](const Mat3& Q) { return (Q * M).trace() - 0.2 * (Q * n.normalized()).lpNorm<1>(); };
     AdmmState state, rough;
-    const Mat3 best = plainCubic(M, n.normalized(), 0.2, AdmmConstants::tight(), state);
+    const std::vector<PlainNormal> normals = {{n.normalized(), 0.2}};
+    const Mat3 best = plainCubic(M, normals, AdmmConstants::tight(), {&state, 1});
     CHECK(objective(best) >= objective(R) - 1e-9);
-    CHECK(objective(best) >= objective(plainCubic(M, n.normalized(), 0.2, {}, rough)) - 1e-9);
+    CHECK(objective(best) >= objective(plainCubic(M, normals, {}, {&rough, 1})) - 1e-9);
   }
 }
 

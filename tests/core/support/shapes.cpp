@@ -1,5 +1,6 @@
 #include "support/shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -83,31 +84,91 @@ TriangleMesh moebiusStrip(int n) {
   return assemble(points, faces);
 }
 
+namespace {
+
+/// Squares of a grid, each cut in two, whose corners are vertices once.
+class Squares {
+ public:
+  /// Adds the square at the near or far end of an axis, counter-clockwise seen from outside.
+  void add(std::array<int, 3> corner, int axis, bool isFar) {
+    const int u = (axis + 1) % 3, w = (axis + 2) % 3;
+    const std::array<int, 3> first = corner;
+    Index quad[4];
+    for (int k = 0; k < 4; ++k) {
+      corner[u] = first[u] + (k == 1 || k == 2);
+      corner[w] = first[w] + (k >= 2);
+      quad[isFar ? k : 3 - k] = vertex(corner);
+    }
+    faces_.push_back({quad[0], quad[1], quad[2]});
+    faces_.push_back({quad[0], quad[2], quad[3]});
+  }
+  TriangleMesh mesh(int across) {
+    for (Vec3& point : points_) point /= across;
+    return assemble(points_, faces_);
+  }
+
+ private:
+  Index vertex(const std::array<int, 3>& at) {
+    const auto [entry, isNew] = known_.try_emplace(at, static_cast<Index>(points_.size()));
+    if (isNew) points_.push_back(Vec3(at[0], at[1], at[2]));
+    return entry->second;
+  }
+
+  std::map<std::array<int, 3>, Index> known_;
+  std::vector<Vec3> points_;
+  std::vector<std::array<Index, 3>> faces_;
+};
+
+}  // namespace
+
 TriangleMesh longBox(int along, int across) {
   const std::array<int, 3> cells = {along, across, across};
-  std::map<std::array<int, 3>, Index> known;
-  std::vector<Vec3> points;
-  std::vector<std::array<Index, 3>> faces;
-  const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [entry, isNew] = known.try_emplace(at, static_cast<Index>(points.size()));
-    if (isNew) points.push_back(Vec3(at[0], at[1], at[2]) / across);
-    return entry->second;
-  };
+  Squares squares;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, w = (axis + 2) % 3;
     for (int i = 0; i < 2 * cells[u] * cells[w]; ++i) {
-      const bool far = i % 2;
+      const bool isFar = i % 2;
       std::array<int, 3> corner{};
-      corner[axis] = far ? cells[axis] : 0;
-      Index quad[4];
-      for (int k = 0; k < 4; ++k) {  // counter-clockwise seen from the end of the axis
-        corner[u] = i / 2 % cells[u] + (k == 1 || k == 2);
-        corner[w] = i / 2 / cells[u] + (k >= 2);
-        quad[far ? k : 3 - k] = vertex(corner);
-      }
-      faces.push_back({quad[0], quad[1], quad[2]});
-      faces.push_back({quad[0], quad[2], quad[3]});
+      corner[axis] = isFar ? cells[axis] : 0;
+      corner[u] = i / 2 % cells[u];
+      corner[w] = i / 2 / cells[u];
+      squares.add(corner, axis, isFar);
     }
+  }
+  return squares.mesh(across);
+}
+
+TriangleMesh blocks(const std::vector<std::array<int, 3>>& cubes, int across) {
+  Squares squares;
+  for (const std::array<int, 3>& cube : cubes) {
+    for (int side = 0; side < 6; ++side) {
+      const int axis = side / 2, u = (axis + 1) % 3, w = (axis + 2) % 3;
+      std::array<int, 3> beside = cube;
+      beside[axis] += side % 2 ? 1 : -1;
+      if (std::find(cubes.begin(), cubes.end(), beside) != cubes.end()) continue;
+      for (int i = 0; i < across * across; ++i) {
+        std::array<int, 3> corner = {across * cube[0], across * cube[1], across * cube[2]};
+        corner[axis] += side % 2 ? across : 0;
+        corner[u] += i % across;
+        corner[w] += i / across;
+        squares.add(corner, axis, side % 2);
+      }
+    }
+  }
+  return squares.mesh(across);
+}
+
+TriangleMesh prism(int sides, double turn) {
+  std::vector<Vec3> points = {{0, 0, 0}, {0, 0, 1.5}};
+  std::vector<std::array<Index, 3>> faces;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = turn + 2 * EIGEN_PI * k / sides;
+    for (const double z : {0.0, 1.5}) points.emplace_back(std::cos(angle), std::sin(angle), z);
+    const Index low = 2 + 2 * k, next = 2 + 2 * ((k + 1) % sides);
+    faces.push_back({low, next, next + 1});
+    faces.push_back({low, next + 1, low + 1});
+    faces.push_back({0, next, low});
+    faces.push_back({1, low + 1, next + 1});
   }
   return assemble(points, faces);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <random>
+#include <vector>
 
 #include "mesh/triangle_mesh.h"
 
@@ -17,6 +19,13 @@ TriangleMesh moebiusStrip(int n);
 
 /// The skin of a box of `along`×`across`×`across` cells, each a cube of side 1/`across`.
 TriangleMesh longBox(int along, int across);
+
+/// The skin of cubes of side 1 at places of a grid, each with `across` cells along an edge.
+TriangleMesh blocks(const std::vector<std::array<int, 3>>& cubes, int across);
+
+/// An upright prism of `sides` sides, of height 1.5 and radius 1, turned about its axis by some radians; its two ends are
+/// fans around their middles.
+TriangleMesh prism(int sides, double turn);
 
 /// A torus of `n`×`n` vertices.
 TriangleMesh torus(int n);

@@ -11,25 +11,22 @@ Vec3 doubledAreaVector(const Points& positions, const Triangles& triangles, Inde
   return (b - a).cross(c - a);
 }
 
-}  // namespace
-
-Scalars faceAreas(const Points& positions, const Triangles& triangles) {
-  Scalars areas(triangles.rows());
-  for (Index f = 0; f < triangles.rows(); ++f) areas[f] = 0.5 * doubledAreaVector(positions, triangles, f).norm();
-  return areas;
+/// Where each corner of a face adds what it has: at its vertex, or at its fan.
+const Triangles& placesOf(const Triangles& triangles, const SmoothFans& fans) {
+  return fans.areVertices() ? triangles : fans.ofCorner;
 }
 
-Scalars barycentricAreas(const Points& positions, const Triangles& triangles) {
-  Scalars areas = Scalars::Zero(positions.rows());
+Scalars barycentricAreasAt(const Triangles& places, Index count, const Points& positions, const Triangles& triangles) {
+  Scalars areas = Scalars::Zero(count);
   for (Index f = 0; f < triangles.rows(); ++f) {
     const double share = doubledAreaVector(positions, triangles, f).norm() / 6;
-    for (int k = 0; k < 3; ++k) areas[triangles(f, k)] += share;
+    for (int k = 0; k < 3; ++k) areas[places(f, k)] += share;
   }
   return areas;
 }
 
-Scalars mixedVoronoiAreas(const Points& positions, const Triangles& triangles) {
-  Scalars areas = Scalars::Zero(positions.rows());
+Scalars mixedVoronoiAreasAt(const Triangles& places, Index count, const Points& positions, const Triangles& triangles) {
+  Scalars areas = Scalars::Zero(count);
   for (Index f = 0; f < triangles.rows(); ++f) {
     const double doubled = doubledAreaVector(positions, triangles, f).norm();
     if (doubled == 0) continue;
@@ -47,28 +44,22 @@ Scalars mixedVoronoiAreas(const Points& positions, const Triangles& triangles) {
         // ⅛ Σ cot(opposite angle) |edge|² over the two edges at the corner
         share = (dots[(k + 1) % 3] * squares[(k + 1) % 3] + dots[(k + 2) % 3] * squares[(k + 2) % 3]) / (8 * doubled);
       }
-      areas[triangles(f, k)] += share;
+      areas[places(f, k)] += share;
     }
   }
   return areas;
 }
 
-Points vertexNormals(const Points& positions, const Triangles& triangles) {
-  Points normals(positions.rows(), 3);
-  Scalars areas(positions.rows());
-  vertexNormals(positions, triangles, normals, areas);
-  return normals;
-}
-
-void vertexNormals(const Points& positions, const Triangles& triangles, Points& normals, Scalars& areas) {
+void cornerNormals(const Triangles& places, const Points& positions, const Triangles& triangles, Points& normals,
+                   Scalars& areas) {
   normals.setZero();
   areas.setZero();
   for (Index f = 0; f < triangles.rows(); ++f) {
     const Vec3 vector = doubledAreaVector(positions, triangles, f);
     const double area = vector.norm();
     for (int k = 0; k < 3; ++k) {
-      normals.row(triangles(f, k)) += vector.transpose();
-      areas[triangles(f, k)] += area;
+      normals.row(places(f, k)) += vector.transpose();
+      areas[places(f, k)] += area;
     }
   }
   for (Index v = 0; v < normals.rows(); ++v) {
@@ -80,6 +71,53 @@ void vertexNormals(const Points& positions, const Triangles& triangles, Points& 
       normals.row(v).setZero();
     }
   }
+}
+
+}  // namespace
+
+Scalars faceAreas(const Points& positions, const Triangles& triangles) {
+  Scalars areas(triangles.rows());
+  for (Index f = 0; f < triangles.rows(); ++f) areas[f] = 0.5 * doubledAreaVector(positions, triangles, f).norm();
+  return areas;
+}
+
+Scalars barycentricAreas(const Points& positions, const Triangles& triangles) {
+  return barycentricAreasAt(triangles, static_cast<Index>(positions.rows()), positions, triangles);
+}
+
+Scalars barycentricAreas(const Points& positions, const Triangles& triangles, const SmoothFans& fans) {
+  return barycentricAreasAt(placesOf(triangles, fans), fans.count(), positions, triangles);
+}
+
+Scalars mixedVoronoiAreas(const Points& positions, const Triangles& triangles) {
+  return mixedVoronoiAreasAt(triangles, static_cast<Index>(positions.rows()), positions, triangles);
+}
+
+Scalars mixedVoronoiAreas(const Points& positions, const Triangles& triangles, const SmoothFans& fans) {
+  return mixedVoronoiAreasAt(placesOf(triangles, fans), fans.count(), positions, triangles);
+}
+
+Points vertexNormals(const Points& positions, const Triangles& triangles) {
+  Points normals(positions.rows(), 3);
+  Scalars areas(positions.rows());
+  vertexNormals(positions, triangles, normals, areas);
+  return normals;
+}
+
+void vertexNormals(const Points& positions, const Triangles& triangles, Points& normals, Scalars& areas) {
+  cornerNormals(triangles, positions, triangles, normals, areas);
+}
+
+Points fanNormals(const Points& positions, const Triangles& triangles, const SmoothFans& fans) {
+  Points normals(fans.count(), 3);
+  Scalars areas(fans.count());
+  fanNormals(positions, triangles, fans, normals, areas);
+  return normals;
+}
+
+void fanNormals(const Points& positions, const Triangles& triangles, const SmoothFans& fans, Points& normals,
+                Scalars& areas) {
+  cornerNormals(placesOf(triangles, fans), positions, triangles, normals, areas);
 }
 
 Points faceNormals(const Points& positions, const Triangles& triangles) {

@@ -47,8 +47,9 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
 }
 
 void LocalGlobal::measure(const TriangleMesh& rest) {
-  rest_.emplace(
-      RestShape{rest, barycentricAreas(rest.positions, rest.triangles), vertexNormals(rest.positions, rest.triangles)});
+  const auto& [positions, triangles] = rest;
+  rest_.emplace(RestShape{rest, barycentricAreas(positions, triangles), vertexNormals(positions, triangles),
+                          smoothFans(positions, triangles)});
   halfCotangents_ = halfCotangents(rest.positions, rest.triangles);
   components_ = connectedComponents(rest.triangles, rest.vertexCount());
   contactSearch_.reset();  // what was broken off knows another shape

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/rotation_fit.h"
+#include "geometry/smooth_fans.h"
 #include "mesh/triangle_mesh.h"
 
 namespace whittle {
@@ -12,6 +13,7 @@ struct RestShape {
   const TriangleMesh& mesh;
   Scalars areas;   // #V, barycentric
   Points normals;  // #V×3, unit or zero
+  SmoothFans fans;
 };
 
 /// The policy of a local/global method: how each element's rotation is chosen. What belongs to its parameters stands in

@@ -136,7 +136,8 @@ TEST_CASE("the exact step agrees with a tight ADMM") {
       const CubicAdmm admm(general.polyhedron, {1e-12, 1e-10, 1e-10, 20000});
       CubicAdmm::State state;
       Mat3 R = vertex.guess;
-      admm.solve(vertex.M, vertex.n, general.weight, state, R);
+      const FanNormal normal{vertex.n, general.weight};
+      admm.solve(vertex.M, {&normal, 1}, {&state, 1}, R);
       const double exact = solveExactly(vertex);
       REQUIRE(vertex.objective(R) <= exact + 1e-12 * vertex.scale());
       REQUIRE(vertex.objective(R) == doctest::Approx(exact).epsilon(1e-8));
@@ -166,18 +167,29 @@ TEST_CASE("a warm exact step is no worse, gives the same bits and allocates noth
 
 namespace {
 
-/// Four vertices as the product packs them.
+/// Four vertices as the product packs them: with the same share of their weight on each axis.
 struct Packed {
-  CubicLanes lanes;
+  MatrixLanes M;
+  FanLanes fan;
+  Vec3 axes;
   QuaternionLanes rotations = identityRotations();
 
-  explicit Packed(const std::array<Vertex, 4>& vertices) {
+  explicit Packed(std::array<Vertex, 4>& vertices) : axes(vertices[0].weights / vertices[0].weights.maxCoeff()) {
     for (int lane = 0; lane < 4; ++lane) {
-      setMatrix(lanes.M, lane, vertices[lane].M);
-      setVector(lanes.n, lane, vertices[lane].n);
-      setVector(lanes.weights, lane, vertices[lane].weights);
-      setRotation(rotations, lane, vertices[lane].guess);
+      Vertex& vertex = vertices[lane];
+      const double weight = vertex.weights.maxCoeff();
+      vertex.weights = weight * axes;
+      setMatrix(M, lane, vertex.M);
+      setVector(fan.n, lane, vertex.n);
+      fan.weight[lane] = static_cast<float>(weight);
+      setRotation(rotations, lane, vertex.guess);
     }
+  }
+
+  CubicLanes lanes() const { return {M, {&fan, 1}}; }
+  VectorLanes weights() const {
+    const auto along = [&](int axis) { return static_cast<float>(axes[axis]) * fan.weight; };
+    return {along(0), along(1), along(2)};
   }
 };
 
@@ -190,15 +202,16 @@ TEST_CASE("four vertices in single precision reach what one reaches in double") 
   for (const double lambda : {0.05, 0.2, 0.4, 1.0, 2.0, 5.5}) {
     int certified = 0, count = 0;
     for (int trial = 0; trial < 200; ++trial) {
-      const std::array<Vertex, 4> vertices = {surfaceVertex(noise, lambda, 1e-4), surfaceVertex(noise, lambda, 1e-12),
-                                              surfaceVertex(noise, lambda, 1e3), surfaceVertex(noise, lambda, 1)};
+      std::array<Vertex, 4> vertices = {surfaceVertex(noise, lambda, 1e-4), surfaceVertex(noise, lambda, 1e-12),
+                                        surfaceVertex(noise, lambda, 1e3), surfaceVertex(noise, lambda, 1)};
       Packed packed(vertices);
       VectorLanes u{splat(0), splat(0), splat(0)};
       QuaternionLanes climbed = packed.rotations;
-      const LaneMask proved = climbLanes(packed.lanes, u, climbed).certified;
-      CubicExact solver;
-      solver.begin(1);
-      const Lanes regularizers = solver.solve(0, packed.lanes, packed.rotations);
+      const LaneMask proved = climbLanes(packed.M, packed.fan.n, packed.weights(), LaneMask{}, u, climbed).certified;
+      const FanLayout layout = FanLayout::ofSingles(4);
+      CubicExact solver(packed.axes);
+      solver.begin(layout);
+      const Lanes regularizers = solver.solve(0, packed.lanes(), packed.rotations);
       for (int lane = 0; lane < 4; ++lane) {
         const Vertex& vertex = vertices[lane];
         const Mat3 R = rotationAt(packed.rotations, lane);
@@ -221,12 +234,13 @@ TEST_CASE("four awkward vertices are solved too") {
       std::array<Vertex, 4> vertices;
       for (int lane = 0; lane < 4; ++lane) {
         const Mat3& M = matrices[k + lane];
-        vertices[lane] = vertexOf(noise, M, lane == trial % 4 ? 0 : 0.3 * std::max(M.norm(), 1e-12));
+        vertices[lane] = vertexOf(noise, M, lane > 0 && lane == trial % 4 ? 0 : 0.3 * std::max(M.norm(), 1e-12));
       }
       Packed packed(vertices);
-      CubicExact solver;
-      solver.begin(1);
-      solver.solve(0, packed.lanes, packed.rotations);
+      const FanLayout layout = FanLayout::ofSingles(4);
+      CubicExact solver(packed.axes);
+      solver.begin(layout);
+      solver.solve(0, packed.lanes(), packed.rotations);
       for (int lane = 0; lane < 4; ++lane) {
         const Mat3 R = rotationAt(packed.rotations, lane);
         REQUIRE(R.allFinite());

@@ -40,19 +40,22 @@ struct Solved {
 };
 
 Solved solve(const std::vector<PolyhedralVertex>& vertices, const Polyhedron& polyhedron) {
-  CubicLanes lanes;
+  MatrixLanes M;
+  FanLanes fan;
   QuaternionLanes rotations;
   for (int lane = 0; lane < 4; ++lane) {
-    setMatrix(lanes.M, lane, vertices[lane].M);
-    setVector(lanes.n, lane, vertices[lane].n);
-    setVector(lanes.weights, lane, Vec3::Constant(vertices[lane].weight));
+    setMatrix(M, lane, vertices[lane].M);
+    setVector(fan.n, lane, vertices[lane].n);
+    fan.weight[lane] = static_cast<float>(vertices[lane].weight);
     setRotation(rotations, lane, fitRotation(vertices[lane].M));
   }
-  SubgradientLanes u{};
+  const CubicLanes lanes{M, {&fan, 1}};
+  std::vector<KinkLanes> kinks(static_cast<std::size_t>(polyhedron.rowCount), KinkLanes{splat(0), {}});
   QuaternionLanes climbed = rotations;
-  const LaneMask certified = climbPolyhedral(lanes.M, lanes.n, lanes.weights.x, polyhedron, u, climbed).certified;
+  const LaneMask certified = climbPolyhedral(lanes, PolyhedronRows(polyhedron), LaneMask{}, kinks, climbed).certified;
+  const FanLayout layout = FanLayout::ofSingles(4);
   PolyhedralExact solver(polyhedron);
-  solver.begin(1);
+  solver.begin(layout);
   const Lanes regularizers = solver.solve(0, lanes, rotations);
   Solved result;
   for (int lane = 0; lane < 4; ++lane) {
@@ -61,11 +64,17 @@ Solved solve(const std::vector<PolyhedralVertex>& vertices, const Polyhedron& po
     result.certified[lane] = certified[lane] != 0;
     result.pull[lane] = Vec3::Zero();
     for (Index j = 0; j < polyhedron.rowCount; ++j) {
-      const double subgradient = std::clamp<double>(u[j][lane], -1, 1);
+      const double subgradient = std::clamp<double>(kinks[j].u[lane], -1, 1);
       result.pull[lane] += polyhedron.lengths[j] * subgradient * polyhedron.rows[j];
     }
   }
   return result;
+}
+
+void solveByAdmm(const CubicAdmm& admm, const PolyhedralVertex& vertex, Mat3& R) {
+  const FanNormal normal{vertex.n, vertex.weight};
+  CubicAdmm::State state;
+  admm.solve(vertex.M, {&normal, 1}, {&state, 1}, R);
 }
 
 double bruteForce(Noise& noise, const PolyhedralVertex& vertex) {
@@ -167,8 +176,7 @@ TEST_CASE("brute force and a tight ADMM never beat the exact step of any polyhed
           REQUIRE(bruteForce(noise, vertex) <= value + slack);
           REQUIRE(vertex.objective(searchCubic(vertex, Mat3::Identity())) <= value + slack);
           Mat3 R = fitRotation(vertex.M);
-          CubicAdmm::State state;
-          admm.solve(vertex.M, vertex.n, vertex.weight, state, R);
+          solveByAdmm(admm, vertex, R);
           REQUIRE(vertex.objective(R) <= value + slack);
           REQUIRE(std::abs(solved.regularizer[lane] - vertex.weight * polyhedron.support(solved.R[lane] * vertex.n)) <=
                   slack);
@@ -200,8 +208,7 @@ TEST_CASE("any matrix B: no gap where it is certified, and neither brute force n
                 slack);
         REQUIRE(bruteForce(noise, vertex) <= value + slack);
         Mat3 R = fitRotation(vertex.M);
-        CubicAdmm::State state;
-        admm.solve(vertex.M, vertex.n, vertex.weight, state, R);
+        solveByAdmm(admm, vertex, R);
         REQUIRE(vertex.objective(R) <= value + slack);
         if (trial % 4 == 3) continue;
         ++count;
@@ -232,8 +239,7 @@ TEST_CASE("a box of any edges, some of them none: the cube's step, the search an
         REQUIRE(vertex.objective(exact) == doctest::Approx(value).epsilon(1e-12));
         REQUIRE(bruteForce(noise, vertex) <= value + 1e-10 * scale);
         REQUIRE(vertex.objective(searchCubic(vertex, Mat3::Identity())) == doctest::Approx(value).epsilon(1e-9));
-        CubicAdmm::State state;
-        admm.solve(vertex.M, vertex.n, vertex.weight, state, R);
+        solveByAdmm(admm, vertex, R);
         REQUIRE(vertex.objective(R) <= value + 1e-10 * scale);
       }
     }

@@ -1,6 +1,6 @@
 #include "methods/local_global/cubic/cubic.h"
 
-#include "geometry/rotation_fit.h"
+#include "geometry/surface.h"
 #include "methods/local_global/cubic/cubic_admm.h"
 #include "methods/local_global/cubic/cubic_exact.h"
 #include "methods/local_global/cubic/polyhedral_exact.h"
@@ -13,19 +13,6 @@ namespace {
 /// Whether the style is a cube or, with axes of other weights, a box.
 bool isBox(const CubicParameters& values) {
   return values.polyhedron.isNamed() && values.polyhedron.name == Polyhedron::Name::cube;
-}
-
-/// Goes back to the guess in lanes where it is better.
-void keepBetter(const CubicLanes& vertices, Lanes weights, const Polyhedron& polyhedron, const QuaternionLanes& guess,
-                QuaternionLanes& rotations, Lanes& regularizers) {
-  for (int lane = 0; lane < 4; ++lane) {
-    const CubicVertex cubic = vertexAt(vertices, lane);
-    const PolyhedralVertex vertex(cubic.M, cubic.n, weights[lane], polyhedron);
-    const Mat3 before = rotationAt(guess, lane);
-    if (vertex.objective(rotationAt(rotations, lane)) >= vertex.objective(before)) continue;
-    setRotation(rotations, lane, before);
-    regularizers[lane] = static_cast<float>(vertex.weight * polyhedron.support(before * vertex.n));
-  }
 }
 
 }  // namespace
@@ -51,16 +38,23 @@ void CubicLocalStep::prepare(const RestShape& rest, const CubicParameters& value
 }
 
 void CubicLocalStep::prepareVertices(const RestShape& rest, const CubicParameters& values) {
+  const auto& [positions, triangles] = rest.mesh;
+  const SmoothFans& fans = rest.fans;
+  const Points normals = fans.areVertices() ? rest.normals : fanNormals(positions, triangles, fans);
+  const Scalars areas = fans.areVertices() ? rest.areas : barycentricAreas(positions, triangles, fans);
   const Scalars& own = values.lambdaPerVertex;
   const auto cubeness = [&](Index v) { return own.size() ? own[v] : values.lambda; };  // λ_i, Eq. 1
-  const std::size_t batches = batchCount(rest.mesh.vertexCount());
-  normals_.assign(batches, {splat(0), splat(0), splat(0)});
-  weights_.assign(batches, splat(0));
+  layout_ = FanLayout(fans);
+  fans_.assign(layout_.slotCount(), {{splat(0), splat(0), splat(0)}, splat(0)});
   for (Index v = 0; v < rest.mesh.vertexCount(); ++v) {
-    const Vec3 n = rest.normals.row(v).transpose();
-    setVector(normals_[v / 4], v % 4, n);
-    if (!n.isZero(0)) weights_[v / 4][v % 4] = static_cast<float>(cubeness(v) * rest.areas[v]);
+    for (Index fan = fans.start[v]; fan < fans.start[v + 1]; ++fan) {
+      FanLanes& lanes = fans_[layout_.lanes[fan] / 4];
+      const Vec3 n = normals.row(fan).transpose();
+      setVector(lanes.n, v % 4, n);
+      if (!n.isZero(0)) lanes.weight[v % 4] = static_cast<float>(cubeness(v) * areas[fan]);
+    }
   }
+  normals_.resize(static_cast<std::size_t>(layout_.most));
 }
 
 void CubicLocalStep::prepareStyle(const CubicParameters& values) {
@@ -70,12 +64,10 @@ void CubicLocalStep::prepareStyle(const CubicParameters& values) {
   } else {
     polyhedron_ = values.polyhedron.isNamed() ? Polyhedron::named(name) : Polyhedron::ofRows(rows);
   }
-  axes_ = Vec3::Ones();
   if (values.localStep == CubicSolverKind::admm) {
     solver_ = std::make_unique<CubicAdmm>(polyhedron_);
   } else if (isBox(values)) {
-    solver_ = std::make_unique<CubicExact>();
-    axes_ = values.lambdaAxes;
+    solver_ = std::make_unique<CubicExact>(values.lambdaAxes);
   } else {
     solver_ = std::make_unique<PolyhedralExact>(polyhedron_);
   }
@@ -92,14 +84,23 @@ Lanes CubicLocalStep::fit(std::size_t batch, const MatrixLanes& covariances, boo
 }
 
 Lanes CubicLocalStep::solve(std::size_t batch, const MatrixLanes& M, bool neverWorse, QuaternionLanes& rotations) {
-  const Lanes weights = weights_[batch];
-  const VectorLanes axes{splat(static_cast<float>(axes_.x())), splat(static_cast<float>(axes_.y())),
-                         splat(static_cast<float>(axes_.z()))};
-  const CubicLanes vertices{M, normals_[batch], {weights * axes.x, weights * axes.y, weights * axes.z}};
+  const FanLanes* const fans = fans_.data();
+  const CubicLanes vertices{M, {fans + layout_.start[batch], fans + layout_.start[batch + 1]}};
   const QuaternionLanes guess = rotations;
   Lanes regularizers = solver_->solve(batch, vertices, rotations);
-  if (neverWorse) keepBetter(vertices, weights, polyhedron_, guess, rotations, regularizers);
+  if (neverWorse) keepBetter(vertices, guess, rotations, regularizers);
   return regularizers;
+}
+
+void CubicLocalStep::keepBetter(const CubicLanes& vertices, const QuaternionLanes& guess, QuaternionLanes& rotations,
+                                Lanes& regularizers) {
+  for (int lane = 0; lane < 4; ++lane) {
+    const FanVertex vertex{matrixAt(vertices.M, lane), normalsAt(vertices, lane, normals_), polyhedron_};
+    const Mat3 before = rotationAt(guess, lane);
+    if (vertex.objective(rotationAt(rotations, lane)) >= vertex.objective(before)) continue;
+    setRotation(rotations, lane, before);
+    regularizers[lane] = static_cast<float>(polyhedron_.regularizer(vertex.normals, before));
+  }
 }
 
 MethodInfo cubicMethod() {

@@ -27,8 +27,9 @@ struct CubicParameters {
 };
 
 /// The local step of Cubic Stylization (2019, §3.1 and §4): max_R tr(R M) − λ a |B Qᵀ R n|₁ at every vertex, exactly or
-/// by the printed ADMM, with B the cube, a box of other weights on each axis or any polyhedron, and a frame Q. Without
-/// cubeness or without a normal it is the plain fit.
+/// by the printed ADMM, with B the cube, a box of other weights on each axis or any polyhedron, and a frame Q. A vertex
+/// on a sharp edge has a term like this for each of its smooth fans, whose areas a add up to its own. Without cubeness
+/// or without a normal it is the plain fit.
 class CubicLocalStep : public LocalStep {
  public:
   using Parameters = CubicParameters;
@@ -40,7 +41,7 @@ class CubicLocalStep : public LocalStep {
   static std::vector<std::string> warnings(const CubicParameters& values);
 
   void prepare(const RestShape& rest, const CubicParameters& values);
-  void begin() override { solver_->begin(weights_.size()); }
+  void begin() override { solver_->begin(layout_); }
   Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 
  private:
@@ -48,11 +49,14 @@ class CubicLocalStep : public LocalStep {
   void prepareStyle(const CubicParameters& values);
   /// The step in the vertices' frames.
   Lanes solve(std::size_t batch, const MatrixLanes& M, bool neverWorse, QuaternionLanes& rotations);
+  /// Goes back to the guess in lanes where it is better.
+  void keepBetter(const CubicLanes& vertices, const QuaternionLanes& guess, QuaternionLanes& rotations,
+                  Lanes& regularizers);
 
-  std::vector<VectorLanes> normals_;  // of the rest shape, zero where there is none
-  std::vector<Lanes> weights_;        // κ = λ a_i
+  FanLayout layout_;
+  std::vector<FanLanes> fans_;      // of the rest shape, by slot; without a normal where there is none
+  std::vector<FanNormal> normals_;  // scratch
   Polyhedron polyhedron_;
-  Vec3 axes_;  // what the solver takes κ times on each axis, where it does not know the polyhedron
   StyleFrames frames_;
   std::unique_ptr<CubicSolver> solver_;
 };

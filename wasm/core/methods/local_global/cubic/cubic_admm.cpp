@@ -36,48 +36,67 @@ Vec3 shrink(const Vec3& x, double t, const Polyhedron& polyhedron) {
 
 }  // namespace
 
-void CubicAdmm::begin(std::size_t batches) { states_.assign(4 * batches, {}); }
+void CubicAdmm::begin(const FanLayout& layout) {
+  layout_ = &layout;
+  states_.assign(4 * layout.slotCount(), {});
+  normals_.resize(static_cast<std::size_t>(layout.most));
+}
 
 Lanes CubicAdmm::solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) {
   Lanes regularizers;
-  for (int lane = 0; lane < 4; ++lane) {
-    const CubicVertex vertex = vertexAt(vertices, lane);
+  const std::size_t count = vertices.fans.size();
+  State* states = &states_[4 * static_cast<std::size_t>(layout_->start[batch])];
+  for (int lane = 0; lane < 4; ++lane, states += count) {
+    const FanNormals normals = normalsAt(vertices, lane, normals_);
     Mat3 R = rotationAt(rotations, lane);
-    const double weight = vertex.weights.maxCoeff();
-    solve(vertex.M, vertex.n, weight, states_[4 * batch + lane], R);
+    solve(matrixAt(vertices.M, lane), normals, {states, count}, R);
     setRotation(rotations, lane, R);
-    regularizers[lane] = static_cast<float>(weight * polyhedron_.support(R * vertex.n));
+    regularizers[lane] = static_cast<float>(polyhedron_.regularizer(normals, R));
   }
   return regularizers;
 }
 
-void CubicAdmm::solve(const Mat3& M, const Vec3& n, double weight, State& state, Mat3& R) const {
+void CubicAdmm::solve(const Mat3& M, FanNormals normals, std::span<State> states, Mat3& R) const {
+  double weight = 0;
+  for (const FanNormal& normal : normals) weight += normal.weight;
   if (weight == 0) {
     R = fitRotation(M, R);
     return;
   }
-  auto& [z, u, rho] = state;
   for (int step = 0; step < tolerances_.maxSteps; ++step) {
-    R = fitRotation(M + rho * weight * n * (z - u).transpose(), R);
-    const Vec3 p = R * n;
-    const Vec3 before = z;
+    const double rho = states[0].rho;
+    Mat3 target = M;
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      target += rho * normals[k].weight * normals[k].n * (states[k].z - states[k].u).transpose();
+    R = fitRotation(target, R);
+    if (updateDuals(normals, states, R)) return;
+  }
+}
+
+bool CubicAdmm::updateDuals(FanNormals normals, std::span<State> states, const Mat3& R) const {
+  double& rho = states[0].rho;
+  double primal = 0, dual = 0, turned = 0, split = 0, scaledDual = 0;  // squared lengths over all normals
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    if (normals[k].weight == 0) continue;
+    auto& [z, u, unused] = states[k];
+    const Vec3 p = R * normals[k].n, before = z;
     z = shrink(p + u, 1 / rho, polyhedron_);
     u += p - z;
-
-    const double primal = (z - p).norm();
-    const double dual = rho * (z - before).norm();  // as a share of κ
-    if (primal <= kRoot3 * tolerances_.primal + tolerances_.relative * std::max(p.norm(), z.norm()) &&
-        dual <= kRoot3 * tolerances_.dual + tolerances_.relative * rho * u.norm()) {
-      return;
-    }
-    if (primal > kImbalance * dual) {
-      rho *= kPenaltyFactor;
-      u /= kPenaltyFactor;
-    } else if (dual > kImbalance * primal) {
-      rho /= kPenaltyFactor;
-      u *= kPenaltyFactor;
-    }
+    primal += (z - p).squaredNorm(), dual += (z - before).squaredNorm();
+    turned += p.squaredNorm(), split += z.squaredNorm(), scaledDual += u.squaredNorm();
   }
+  primal = std::sqrt(primal), dual = rho * std::sqrt(dual);  // the dual one as a share of κ
+  const double size = std::sqrt(std::max(turned, split));
+  if (primal <= kRoot3 * tolerances_.primal + tolerances_.relative * size &&
+      dual <= kRoot3 * tolerances_.dual + tolerances_.relative * rho * std::sqrt(scaledDual)) {
+    return true;
+  }
+  double factor = 1;
+  if (primal > kImbalance * dual) factor = kPenaltyFactor;
+  if (dual > kImbalance * primal) factor = 1 / kPenaltyFactor;
+  rho *= factor;
+  for (State& state : states) state.u /= factor;
+  return false;
 }
 
 }  // namespace whittle

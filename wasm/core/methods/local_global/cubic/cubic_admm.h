@@ -20,10 +20,11 @@ class CubicAdmm : public CubicSolver {
   CubicAdmm(const Polyhedron& polyhedron, const Tolerances& tolerances)
       : polyhedron_(polyhedron), tolerances_(tolerances) {}
 
-  void begin(std::size_t batches) override;
+  void begin(const FanLayout& layout) override;
   Lanes solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) override;
 
-  /// R n = z, scaled dual u, penalty ρ as a multiple of κ (Eqs. 4–7).
+  /// R n = z, scaled dual u, penalty ρ as a multiple of κ (Eqs. 4–7); a z and a u for each normal, and the first's ρ for
+  /// all.
   struct State {
     Vec3 z = Vec3::Zero();
     Vec3 u = Vec3::Zero();
@@ -31,12 +32,18 @@ class CubicAdmm : public CubicSolver {
   };
 
   /// One vertex in double precision from a rotation R, which is updated.
-  void solve(const Mat3& M, const Vec3& n, double weight, State& state, Mat3& R) const;
+  /// @param states of the normals
+  void solve(const Mat3& M, FanNormals normals, std::span<State> states, Mat3& R) const;
 
  private:
+  /// Minimises for z and u of all normals; returns whether both residuals are within their tolerances.
+  bool updateDuals(FanNormals normals, std::span<State> states, const Mat3& R) const;
+
   Polyhedron polyhedron_;
   Tolerances tolerances_;
-  std::vector<State> states_;
+  const FanLayout* layout_ = nullptr;
+  std::vector<State> states_;       // of one vertex after the other, as many for each as its batch has normals
+  std::vector<FanNormal> normals_;  // scratch
 };
 
 }  // namespace whittle

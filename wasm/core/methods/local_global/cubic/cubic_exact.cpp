@@ -7,6 +7,7 @@
 #include "geometry/rotation_fit.h"
 #include "geometry/rotation_newton.h"
 #include "methods/local_global/cubic/cubic_search.h"
+#include "methods/local_global/cubic/search_lanes.h"
 
 namespace whittle {
 
@@ -15,6 +16,8 @@ namespace {
 constexpr int kMaxNewtonSteps = 20;
 constexpr double kConverged = 1e-12;  // |w|², about the error that the step leaves; the certificate looks at it again
 constexpr double kRounding = 1e-9;
+/// Weights up to this share of M, those of a λ of about 3.4, seldom leave a gap: then all that there is is searched.
+constexpr double kLight = 0.4;
 
 /// Which coordinates of s = R n are held at zero, where |s_j| has its kink and u_j is free.
 using Kinks = std::array<bool, 3>;
@@ -102,43 +105,89 @@ bool climb(const CubicVertex& vertex, Vec3& u, Mat3& R) {
   return false;
 }
 
+/// From the dual's side: any u in the cube has a rotation where the model has its maximum.
+bool climbFromDual(const CubicVertex& vertex, const Mat3& before, Vec3& u, Mat3& R) {
+  u = (u.allFinite() ? u : Vec3(before * vertex.n)).cwiseMax(-1).cwiseMin(1);
+  R = fitRotation(vertex.pulled(u), before);
+  return climb(vertex, u, R);
+}
+
+/// κ·|R n|
+Lanes regularizersAt(const VectorLanes& n, const VectorLanes& weights, const QuaternionLanes& rotations) {
+  const VectorLanes s = toMatrix(rotations) * n;
+  return weights.x * absolute(s.x) + weights.y * absolute(s.y) + weights.z * absolute(s.z);
+}
+
 }  // namespace
+
+bool CubicExact::certify(const CubicVertex& vertex, Vec3& u, Mat3& R) {
+  const Mat3 before = R;
+  return climb(vertex, u, R) || climbFromDual(vertex, before, u, R);
+}
 
 bool CubicExact::solveCertified(const CubicVertex& vertex, Vec3& u, Mat3& R) {
   const Mat3 before = R;
-  if (climb(vertex, u, R)) return true;
-
-  // From the dual's side: any u in the cube has a rotation where the model has its maximum.
-  u = (u.allFinite() ? u : Vec3(before * vertex.n)).cwiseMax(-1).cwiseMin(1);
-  R = fitRotation(vertex.pulled(u), before);
-  if (climb(vertex, u, R)) return true;
-
+  if (certify(vertex, u, R)) return true;
   R = searchCubic(PolyhedralVertex(vertex), before);
   u = (R * vertex.n).unaryExpr([](double s) { return std::abs(s) < kRounding ? 0 : std::copysign(1.0, s); });
   return false;
 }
 
+void CubicExact::begin(const FanLayout& layout) {
+  subgradients_.assign(layout.batchCount(), {splat(0), splat(0), splat(0)});
+  gaps_.assign(layout.batchCount(), LaneMask{});
+  if (layout.most > 1) several_.begin(layout);
+}
+
 Lanes CubicExact::solve(std::size_t batch, const CubicLanes& vertices, QuaternionLanes& rotations) {
+  if (vertices.fans.size() > 1) return several_.solve(batch, vertices, rotations);
+  const auto& [n, weight] = vertices.fans[0];
+  const VectorLanes axes{splat(static_cast<float>(axes_.x())), splat(static_cast<float>(axes_.y())),
+                         splat(static_cast<float>(axes_.z()))};
+  const VectorLanes weights{weight * axes.x, weight * axes.y, weight * axes.z};
   VectorLanes& u = subgradients_[batch];
+  LaneMask& gaps = gaps_[batch];
   const VectorLanes uBefore = u;
   const QuaternionLanes before = rotations;
-  auto [regularizers, certified] = climbLanes(vertices, u, rotations);
+  auto [regularizers, certified, settled] = climbLanes(vertices.M, n, weights, gaps, u, rotations);
   if (all(certified)) return regularizers;
+  regularizers = select(settled, regularizers, regularizersAt(n, weights, rotations));
   for (int lane = 0; lane < 4; ++lane) {
-    if (certified[lane]) continue;
-    const CubicVertex vertex = vertexAt(vertices, lane);
+    if (certified[lane] || gaps[lane]) continue;
+    const CubicVertex vertex{matrixAt(vertices.M, lane), vectorAt(n, lane).normalized(), vectorAt(weights, lane)};
     Mat3 R = rotationAt(before, lane);
     Vec3 subgradient = vectorAt(uBefore, lane);
     if (vertex.weights.isZero(0)) {
       R = fitRotation(vertex.M);
-    } else {
+    } else if (vertex.weights.maxCoeff() <= kLight * vertex.M.norm()) {
       solveCertified(vertex, subgradient, R);
+    } else if (!certify(vertex, subgradient, R)) {
+      continue;
     }
+    certified[lane] = -1;
     setRotation(rotations, lane, R);
     setVector(u, lane, subgradient);
     regularizers[lane] = static_cast<float>(vertex.regularizer(R * vertex.n));
   }
+  gaps = ~certified;
+  if (any(gaps)) search(vertices.M, n, weights, gaps, before, u, rotations, regularizers);
   return regularizers;
+}
+
+void CubicExact::search(const MatrixLanes& M, const VectorLanes& n, const VectorLanes& weights, LaneMask lanes,
+                        const QuaternionLanes& before, VectorLanes& u, QuaternionLanes& rotations,
+                        Lanes& regularizers) {
+  takeBetter(M, before, select(lanes, regularizersAt(n, weights, before), splat(INFINITY)), rotations, regularizers);
+  QuaternionLanes found = searchLanes(M, n, weights, rotations);
+  const VectorLanes s = toMatrix(found) * n;
+  const auto signOf = [](Lanes coordinate) {
+    return keep(absolute(coordinate) > 1e-3f, withSign(splat(1), coordinate));
+  };
+  VectorLanes foundU{signOf(s.x), signOf(s.y), signOf(s.z)};
+  const Climbed climbed = climbLanes(M, n, weights, ~LaneMask{}, foundU, found);
+  const Lanes honest = select(climbed.settled, climbed.regularizers, regularizersAt(n, weights, found));
+  const LaneMask better = takeBetter(M, found, select(lanes, honest, splat(INFINITY)), rotations, regularizers);
+  u = select(better, foundU, u);
 }
 
 }  // namespace whittle

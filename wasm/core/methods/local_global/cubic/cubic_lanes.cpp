@@ -118,9 +118,9 @@ Lanes clamped(Lanes u) { return minimum(maximum(u, splat(-1)), splat(1)); }
 
 }  // namespace
 
-Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& rotations) {
-  const auto& [M, n, weights] = vertices;
-  LaneMask done{}, valid = ~done;
+Climbed climbLanes(const MatrixLanes& M, const VectorLanes& n, const VectorLanes& weights, LaneMask open,
+                   VectorLanes& u, QuaternionLanes& rotations) {
+  LaneMask done{}, valid = ~done, certified = done;
   VectorMask kinksAtEnd{done, done, done};
   for (int step = 0; step < kMaxNewtonSteps && any(valid & ~done); ++step) {
     const MatrixLanes R = toMatrix(rotations);
@@ -150,11 +150,12 @@ Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& 
     u = select(active, next, u);
 
     const VectorLanes after = s + cross(w, s);
+    const LaneMask settled = active & (squaredTurn < kConverged) & isSubgradient(u.x, after.x, weights.x, kinks.at.x) &
+                             isSubgradient(u.y, after.y, weights.y, kinks.at.y) &
+                             isSubgradient(u.z, after.z, weights.z, kinks.at.z);
     // Without the penalty on the kinks, H tells a global maximum from a local one.
-    const LaneMask finished = active & (squaredTurn < kConverged) & isPositiveDefinite(model.H) &
-                              isSubgradient(u.x, after.x, weights.x, kinks.at.x) &
-                              isSubgradient(u.y, after.y, weights.y, kinks.at.y) &
-                              isSubgradient(u.z, after.z, weights.z, kinks.at.z);
+    const LaneMask proved = settled & isPositiveDefinite(model.H), finished = proved | (settled & open);
+    certified |= proved;
     kinksAtEnd.x |= finished & kinks.at.x;
     kinksAtEnd.y |= finished & kinks.at.y;
     kinksAtEnd.z |= finished & kinks.at.z;
@@ -166,7 +167,18 @@ Climbed climbLanes(const CubicLanes& vertices, VectorLanes& u, QuaternionLanes& 
   rotations = nudged(rotations, cross(s, offKinks));
   u = {clamped(u.x), clamped(u.y), clamped(u.z)};
   return {weights.x * absolute(offKinks.x) + weights.y * absolute(offKinks.y) + weights.z * absolute(offKinks.z),
-          done & valid};
+          certified & valid, done & valid};
+}
+
+LaneMask takeBetter(const MatrixLanes& M, const QuaternionLanes& other, Lanes otherRegularizers,
+                    QuaternionLanes& rotations, Lanes& regularizers) {
+  const Lanes offered = traceOfProduct(rotationChange(other), M) - otherRegularizers;
+  const Lanes present = traceOfProduct(rotationChange(rotations), M) - regularizers;
+  const LaneMask isLost = ~(present == present);  // not a number
+  const LaneMask better = (offered - present > kRounding * largestEntries(M)) | (isLost & (offered == offered));
+  rotations = select(better, other, rotations);
+  regularizers = select(better, otherRegularizers, regularizers);
+  return better;
 }
 
 }  // namespace whittle

@@ -1,3 +1,4 @@
+// Its twin in single precision, a few points for four vertices at a time: search_lanes.cpp.
 #include "methods/local_global/cubic/cubic_search.h"
 
 #include <array>

@@ -67,6 +67,14 @@ double Polyhedron::support(const Vec3& s) const {
   return sum;
 }
 
+double Polyhedron::regularizer(FanNormals normals, const Mat3& R) const {
+  double sum = 0;
+  for (const FanNormal& normal : normals) {
+    if (normal.weight > 0) sum += normal.weight * support(R * normal.n);
+  }
+  return sum;
+}
+
 PolyhedralVertex::PolyhedralVertex(const CubicVertex& cubic)
     : M(cubic.M), n(cubic.n), weight(cubic.weights.maxCoeff()) {
   if (weight > 0) polyhedron = Polyhedron::box(cubic.weights / weight);

@@ -27,9 +27,22 @@ struct Polyhedron {
   static Polyhedron ofRows(const Points& rows);
 
   double support(const Vec3& s) const;
+  /// Σ_k κ_k Σ_j l_j |b_j · R n_k|
+  double regularizer(FanNormals normals, const Mat3& R) const;
 };
 
-/// One vertex of the local step for any polyhedron: max_R tr(R M) − κ Σ_j l_j |b_j · R n|.
+/// One vertex of the local step with the normals of its smooth fans: max_R tr(R M) − Σ_k κ_k Σ_j l_j |b_j · R n_k|.
+struct FanVertex {
+  Mat3 M;
+  FanNormals normals;
+  const Polyhedron& polyhedron;
+
+  double objective(const Mat3& R) const {
+    return R.cwiseProduct(M.transpose()).sum() - polyhedron.regularizer(normals, R);
+  }
+};
+
+/// One vertex of one normal for any polyhedron: max_R tr(R M) − κ Σ_j l_j |b_j · R n|.
 struct PolyhedralVertex {
   Mat3 M;
   Vec3 n;         // unit

@@ -12,21 +12,25 @@ Status AnalogyLocalStep::check(const AnalogyParameters& values) {
 
 void AnalogyLocalStep::prepare(const RestShape& rest, const AnalogyParameters& values) {
   style_ = values.style;
-  triangles_ = &rest.mesh.triangles;
+  rest_ = &rest;
   rigidity_ = values.regularizer;
   isDynamic_ = values.dynamicTargets;
-  targets_.prepare(rest, rigidity_, values.lambda, values.lambdaPerVertex);
+  if (rigidity_ == Rigidity::farap) {
+    targets_.prepare(rest, rigidity_, values.lambda, values.lambdaPerVertex);
+  } else {
+    targets_.prepareFans(rest, values.lambda, values.lambdaPerVertex);
+  }
   present_ = targets_.normals();
-  scratch_.resize(rest.mesh.vertexCount());
+  scratch_.resize(targets_.count());
   lookUpTargets();
 }
 
 void AnalogyLocalStep::observe(const Points& positions) {
   if (!isDynamic_) return;
   if (rigidity_ == Rigidity::farap) {
-    faceNormals(positions, *triangles_, present_);
+    faceNormals(positions, rest_->mesh.triangles, present_);
   } else {
-    vertexNormals(positions, *triangles_, present_, scratch_);
+    fanNormals(positions, rest_->mesh.triangles, rest_->fans, present_, scratch_);
   }
   lookUpTargets();
 }

@@ -22,7 +22,8 @@ struct AnalogyParameters {
 /// The local step of Normal-Driven Spherical Shape Analogies (2021, Eq. 3 and §4.1): every element is drawn to the
 /// target normal that the style's Gauss map has for it.
 ///
-/// Targets are those of the rest shape's normals, or (dynamic, §4.2) of the output's, looked up anew in every
+/// A vertex has a normal and a target for each of its smooth fans, so that the corner of a block is drawn to three faces
+/// of the style and not to what lies on its diagonal. Targets are those of the rest shape's normals, or (dynamic, §4.2) of the output's, looked up anew in every
 /// iteration.
 class AnalogyLocalStep : public TargetedLocalStep {
  public:
@@ -42,11 +43,11 @@ class AnalogyLocalStep : public TargetedLocalStep {
   void lookUpTargets();
 
   std::shared_ptr<const GaussMap> style_;
-  const Triangles* triangles_ = nullptr;
+  const RestShape* rest_ = nullptr;
   Rigidity rigidity_ = Rigidity::arap;
   bool isDynamic_ = false;
-  Points present_;   // normals that the targets are those of, #elements×3
-  Scalars scratch_;  // #V
+  Points present_;   // normals that the targets are those of, #normals×3
+  Scalars scratch_;  // #normals
 };
 
 /// Registry line of the method `analogy`.

@@ -27,30 +27,58 @@ void ElementTargets::prepare(const RestShape& rest, Rigidity rigidity, double la
   } else {
     strengths_.array() *= (perFace ? faceMeans(ownLambdas, triangles) : ownLambdas).array();
   }
-  normalLanes_.assign(batchCount(count()), {splat(0), splat(0), splat(0)});
-  weightedTargets_ = normalLanes_;
+  elementCount_ = count();
+  layout_ = FanLayout::ofSingles(count());
+  takeNormals();
+}
+
+void ElementTargets::prepareFans(const RestShape& rest, double lambda, const Scalars& ownLambdas) {
+  const auto& [positions, triangles] = rest.mesh;
+  const SmoothFans& fans = rest.fans;
+  normals_ = fanNormals(positions, triangles, fans);
+  strengths_ = mixedVoronoiAreas(positions, triangles, fans);
+  elementCount_ = rest.mesh.vertexCount();
+  for (Index v = 0; v < elementCount_; ++v) {
+    const double own = ownLambdas.size() == 0 ? lambda : ownLambdas[v];
+    for (Index fan = fans.start[v]; fan < fans.start[v + 1]; ++fan) strengths_[fan] *= own;
+  }
+  layout_ = FanLayout(fans);
+  takeNormals();
+}
+
+void ElementTargets::takeNormals() {
+  const VectorLanes none{splat(0), splat(0), splat(0)};
+  slots_.assign(layout_.slotCount(), {none, none});
   for (Index k = 0; k < count(); ++k) {
-    setVector(normalLanes_[k / 4], k % 4, normals_.row(k).transpose());
+    const Index lane = layout_.lanes[k];
+    setVector(slots_[lane / 4].normal, lane % 4, normals_.row(k).transpose());
     if (normals_.row(k).isZero(0)) strengths_[k] = 0;
   }
   energies_ = 2 * strengths_;  // of a target that is not there yet, as of one across
   energy_ = energies_.sum();
 }
 
+Scalars ElementTargets::elementStrengths() const {
+  Scalars sums = Scalars::Zero(elementCount_);
+  std::size_t batch = 0;
+  for (Index k = 0; k < count(); ++k) {
+    while (layout_.lanes[k] / 4 >= layout_.start[batch + 1]) ++batch;
+    sums[4 * static_cast<Index>(batch) + layout_.lanes[k] % 4] += strengths_[k];
+  }
+  return sums;
+}
+
 void ElementTargets::set(Index k, const Vec3& target) {
-  setVector(weightedTargets_[k / 4], k % 4, (2 * strengths_[k]) * target);
+  const Index lane = layout_.lanes[k];
+  setVector(slots_[lane / 4].weightedTarget, lane % 4, (2 * strengths_[k]) * target);
   const double before = energies_[k];
   energies_[k] = strengths_[k] * (normals_.row(k).transpose() - target).squaredNorm();
   energy_ += energies_[k] - before;
 }
 
 void ElementTargets::addTerm(std::size_t batch, MatrixLanes& covariances) const {
-  const VectorLanes &n = normalLanes_[batch], &t = weightedTargets_[batch];
-  const Lanes rows[] = {n.x, n.y, n.z};
-  for (int i = 0; i < 3; ++i) {
-    auto& row = covariances.m[i];
-    row[0] += rows[i] * t.x, row[1] += rows[i] * t.y, row[2] += rows[i] * t.z;
-  }
+  for (Index slot = layout_.start[batch]; slot < layout_.start[batch + 1]; ++slot)
+    addOuter(covariances, slots_[slot].normal, slots_[slot].weightedTarget);
 }
 
 Lanes TargetedLocalStep::fit(std::size_t, const MatrixLanes& covariances, bool, QuaternionLanes& rotations) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "methods/local_global/fan_layout.h"
 #include "methods/local_global/local_step.h"
 #include "methods/local_global/rigidity.h"
 #include "simd/lane_algebra.h"
@@ -7,19 +8,26 @@
 namespace whittle {
 
 /// What every element (a vertex, or a face for FARAP) pays for its distance from a target normal, λ a_k |s_k R_k n_k −
-/// t_k|² (2021, Eq. 3). That is linear in the rotation: a term of the covariance, M_k += 2 λ a_k n_k t_kᵀ.
+/// t_k|² (2021, Eq. 3). That is linear in the rotation: a term of the covariance, M_k += 2 λ a_k n_k t_kᵀ. A vertex may
+/// have a normal and a target for each of its smooth fans; it then has the sum of their terms.
 class ElementTargets {
  public:
-  /// Takes the elements of the rest shape, without targets yet; those without a normal never have one.
+  /// Takes the elements of the rest shape with one normal each, without targets yet; those without a normal never have
+  /// one.
   /// @param lambda λ of all elements
   /// @param ownLambdas λ of each vertex in its place (#V), of a face the mean of its corners; or empty
   void prepare(const RestShape& rest, Rigidity rigidity, double lambda, const Scalars& ownLambdas = {});
+  /// Takes the vertices with a normal for each smooth fan.
+  void prepareFans(const RestShape& rest, double lambda, const Scalars& ownLambdas = {});
 
+  /// How many normals there are: of all elements, or of all fans.
   Index count() const { return static_cast<Index>(strengths_.size()); }
-  /// n_k, #elements×3, unit or zero.
+  /// n_k, #normals×3, unit or zero.
   const Points& normals() const { return normals_; }
-  /// λ a_k, zero for elements without a normal.
+  /// λ a_k, zero for those without a normal.
   const Scalars& strengths() const { return strengths_; }
+  /// Σ λ a_k of each element.
+  Scalars elementStrengths() const;
   /// Sets t_k, a unit vector.
   void set(Index k, const Vec3& target);
 
@@ -29,12 +37,21 @@ class ElementTargets {
   double energy() const { return energy_; }
 
  private:
+  void takeNormals();
+
+  /// A normal of each of four elements.
+  struct Slot {
+    VectorLanes normal;          // n_k
+    VectorLanes weightedTarget;  // 2 λ a_k t_k
+  };
+
   Points normals_;
   Scalars strengths_;
   Scalars energies_;  // λ a_k |n_k − t_k|²
   double energy_ = 0;
-  std::vector<VectorLanes> normalLanes_;      // n_k
-  std::vector<VectorLanes> weightedTargets_;  // 2 λ a_k t_k
+  FanLayout layout_;
+  Index elementCount_ = 0;
+  std::vector<Slot> slots_;
 };
 
 /// The local step of all methods that draw normals to targets: the plain fit with the target term.
@@ -44,7 +61,7 @@ class TargetedLocalStep : public LocalStep {
     targets_.addTerm(batch, covariances);
   }
   double targetEnergy() const override { return targets_.energy(); }
-  Scalars targetWeights() const override { return targets_.strengths(); }
+  Scalars targetWeights() const override { return targets_.elementStrengths(); }
   Lanes fit(std::size_t batch, const MatrixLanes& covariances, bool neverWorse, QuaternionLanes& rotations) override;
 
  protected:

@@ -1,0 +1,173 @@
+#include "geometry/smooth_fans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mesh/adjacency.h"
+
+namespace whittle {
+
+namespace {
+
+const double kLeastCosine = std::cos(55 * EIGEN_PI / 180);
+/// A face whose doubled area is below this share of its longest edge squared has no normal but rounding: files hold
+/// positions in single precision.
+constexpr double kNoArea = 1e-6;
+/// Faces of one edge are held against so many before them: enough for every edge of a surface, and never a square.
+constexpr int kMostFacesOfEdge = 8;
+
+/// Unit face normals, #F×3; zero where rounding would decide.
+Points sureNormals(const Points& positions, const Triangles& triangles) {
+  Points normals(triangles.rows(), 3);
+  for (Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = positions.row(triangles(f, 0)), b = positions.row(triangles(f, 1)),
+                             c = positions.row(triangles(f, 2));
+    const Eigen::RowVector3d vector = (b - a).cross(c - a);
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double length = vector.norm();
+    if (length > kNoArea * longest) {
+      normals.row(f) = vector / length;
+    } else {
+      normals.row(f).setZero();
+    }
+  }
+  return normals;
+}
+
+/// Sets that grow together, the smallest member standing for each.
+class Unions {
+ public:
+  void reset(Index count) {
+    parent_.resize(count);
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  Index find(Index i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  bool join(Index i, Index j) {
+    const Index a = find(i), b = find(j);
+    parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// Tells the fans of one vertex after the other.
+class FanFinder {
+ public:
+  FanFinder(const Points& positions, const Triangles& triangles)
+      : triangles_(triangles), normals_(sureNormals(positions, triangles)), place_(positions.rows(), -1) {}
+
+  /// Numbers the fans of a vertex by their first faces, from 0; returns how many there are.
+  /// @param corners of its faces
+  Index find(Index vertex, const Index* corners, Index count) {
+    collectSides(vertex, corners, count);
+    faces_.reset(count);
+    Index joined = 0;
+    for (const Side& side : sides_) joined += joinAcross(side, corners);
+    for (const Index neighbour : spokes_) place_[neighbour] = -1;
+    if (withoutArea_ == 0 && joined >= count - 1) {
+      fans_.assign(count, 0);
+      return 1;
+    }
+    return numberFans(corners, count);
+  }
+  /// Of each corner.
+  const std::vector<Index>& fans() const { return fans_; }
+
+ private:
+  /// A face at one of its two edges to the vertex.
+  struct Side {
+    Index face;   // its place among the corners
+    Index spoke;  // the edge, by its place in `spokes_`
+  };
+
+  bool hasArea(Index corner) const { return !normals_.row(corner / 3).isZero(0); }
+
+  void collectSides(Index vertex, const Index* corners, Index count) {
+    sides_.clear(), spokes_.clear();
+    withoutArea_ = 0;
+    edges_.reset(2 * count);
+    for (Index i = 0; i < count; ++i) {
+      Index sides[2] = {-1, -1};
+      for (int k = 0; k < 2; ++k) {
+        const Index neighbour = triangles_(corners[i] / 3, kOtherCorners[corners[i] % 3][k]);
+        if (neighbour == vertex) continue;
+        if (place_[neighbour] < 0) {
+          place_[neighbour] = static_cast<Index>(spokes_.size());
+          spokes_.push_back(neighbour);
+        }
+        sides[k] = place_[neighbour];
+        if (hasArea(corners[i])) sides_.push_back({i, sides[k]});
+      }
+      if (hasArea(corners[i])) continue;
+      ++withoutArea_;
+      if (sides[0] >= 0 && sides[1] >= 0) edges_.join(sides[0], sides[1]);
+    }
+    seen_.assign(spokes_.size(), {});
+  }
+
+  /// Joins a face to those before it at the same edge that it is smooth with; returns how many sets became one.
+  Index joinAcross(const Side& side, const Index* corners) {
+    Seen& seen = seen_[edges_.find(side.spoke)];
+    Index joined = 0;
+    for (int i = 0; i < std::min(seen.count, kMostFacesOfEdge); ++i) {
+      const Index other = seen.faces[i];
+      const double cosine = normals_.row(corners[side.face] / 3).dot(normals_.row(corners[other] / 3));
+      if (cosine >= kLeastCosine) joined += faces_.join(side.face, other);
+    }
+    seen.faces[seen.count++ % kMostFacesOfEdge] = side.face;
+    return joined;
+  }
+
+  Index numberFans(const Index* corners, Index count) {
+    Index fanCount = 0;
+    fans_.assign(count, 0);
+    for (Index i = 0; i < count; ++i) {
+      if (hasArea(corners[i])) fans_[i] = faces_.find(i) == i ? fanCount++ : fans_[faces_.find(i)];
+    }
+    return std::max<Index>(fanCount, 1);  // what has no area may be anybody's: the first one's
+  }
+
+  /// The last faces at an edge.
+  struct Seen {
+    int count = 0;
+    Index faces[kMostFacesOfEdge];
+  };
+
+  const Triangles& triangles_;
+  Points normals_;
+  std::vector<Index> place_;   // #V, of a neighbour in `spokes_`, or −1
+  std::vector<Index> spokes_;  // neighbours
+  std::vector<Side> sides_;
+  std::vector<Seen> seen_;  // of each spoke
+  Unions edges_, faces_;
+  Index withoutArea_ = 0;
+  std::vector<Index> fans_;
+};
+
+}  // namespace
+
+SmoothFans smoothFans(const Points& positions, const Triangles& triangles) {
+  const Index vertexCount = static_cast<Index>(positions.rows());
+  const Fans stars(triangles, vertexCount);
+  FanFinder finder(positions, triangles);
+  SmoothFans result;
+  result.start.assign(1, 0);
+  result.start.reserve(vertexCount + 1);
+  result.ofCorner.resize(triangles.rows(), 3);
+  for (Index v = 0; v < vertexCount; ++v) {
+    const Index first = stars.start[v], count = stars.start[v + 1] - first, fan = result.count();
+    const Index fanCount = finder.find(v, stars.corners.data() + first, count);
+    for (Index i = 0; i < count; ++i) result.ofCorner.data()[stars.corners[first + i]] = fan + finder.fans()[i];
+    result.start.push_back(fan + fanCount);
+  }
+  if (result.count() == vertexCount) result.ofCorner.resize(0, 3);
+  return result;
+}
+
+}  // namespace whittle
