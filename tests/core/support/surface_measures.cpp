@@ -33,6 +33,16 @@ double volumeInside(const Points& positions, const Triangles& triangles) {
   return sixfold / 6;
 }
 
+int bentPairCount(const TriangleMesh& before, const Points& positions) {
+  const Points flat = faceNormals(before.positions, before.triangles), bent = faceNormals(positions, before.triangles);
+  int count = 0;
+  for (const auto& [edge, faces] : facesOfEdges(before.triangles)) {
+    if (faces.size() != 2 || flat.row(faces[0]).dot(flat.row(faces[1])) < 0.999) continue;
+    count += bent.row(faces[0]).dot(bent.row(faces[1])) < std::cos(25 * EIGEN_PI / 180);
+  }
+  return count;
+}
+
 int foldCount(const Points& positions, const Triangles& triangles) {
   const Points normals = faceNormals(positions, triangles);
   int folds = 0;

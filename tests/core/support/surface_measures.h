@@ -7,6 +7,9 @@ namespace whittle::testing {
 /// Volume inside a closed surface.
 double volumeInside(const Points& positions, const Triangles& triangles);
 
+/// How many edges between faces that lay in one plane have come to bend by more than 25°.
+int bentPairCount(const TriangleMesh& before, const Points& positions);
+
 /// How many edges are folded over: their two faces lie back on each other to within 30°.
 int foldCount(const Points& positions, const Triangles& triangles);
 

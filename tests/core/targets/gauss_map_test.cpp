@@ -42,7 +42,7 @@ TriangleMesh crushed(TriangleMesh mesh) {
 
 }  // namespace
 
-TEST_CASE("closest: the nearest of the list, whatever its length") {
+TEST_CASE("closest: the nearest of the list but for the turn that decides ties, whatever its length") {
   const std::vector<Vec3> queries = directions(3000), others = directions(5000);
   for (const Index count : {1, 2, 6, 12, 260, 2000}) {
     Points normals(count, 3);
@@ -51,7 +51,28 @@ TEST_CASE("closest: the nearest of the list, whatever its length") {
     for (const Vec3& n : queries) {
       const Vec3 target = map(3 * n);
       REQUIRE(target.norm() == doctest::Approx(1));
-      REQUIRE(target.dot(n) >= (normals * n).maxCoeff() - 1e-12);
+      // Both the direction and its distance to the nearest change by the turn of 1e-3 radians at most.
+      REQUIRE(std::acos(target.dot(n)) <= std::acos((normals * n).maxCoeff()) + 2e-3);
+    }
+  }
+}
+
+TEST_CASE("closest: rounding does not decide between two directions, and opposite normals take opposite ones") {
+  Points cube(6, 3);
+  cube << Mat3::Identity(), -Mat3::Identity();
+  for (const Mat3& turn : {Mat3(Mat3::Identity()), someRotation()}) {
+    const GaussMap map({Kind::closest, cube * turn.transpose()});
+    Noise noise;
+    for (const Vec3& tie :
+         {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(0, 1, 1), Vec3(1, 0, -1), Vec3(1, 1, 1), Vec3(-1, 1, 1)}) {
+      const Vec3 n = turn * tie.normalized(), target = map(n);
+      CHECK((map(-n) + target).norm() < 1e-12);
+      for (int trial = 0; trial < 50; ++trial) {
+        const Vec3 noisy = n + 1e-5 * noise.direction();
+        REQUIRE(map(noisy) == target);
+      }
+      // The same whichever way the style lies.
+      CHECK((turn.transpose() * target - GaussMap({Kind::closest, cube})(tie)).norm() < 1e-12);
     }
   }
 }

@@ -24,6 +24,10 @@ bool operator==(const GaussMapData& a, const GaussMapData& b);
 Status validateGaussMap(const GaussMapData& data);
 
 /// The map, ready for lookups in constant time.
+///
+/// Where it jumps from one normal to another, a normal is looked up where a small fixed turn takes it. A whole side of a
+/// shape may lie between two normals of the style; rounding would choose for each of its triangles by itself, and the
+/// side would crumple. So all take the same, and the opposite side the opposite one.
 class GaussMap {
  public:
   /// @param data valid
@@ -38,11 +42,13 @@ class GaussMap {
  private:
   void collectClosest();
   void collectTriangles();
+  Index closest(const Vec3& n) const;
   /// The triangle around a direction and its weights there (barycentric in the central projection).
   Index locate(const Vec3& n, Vec3& weights) const;
 
   GaussMapData data_;
   Points normals_, points_;  // of unit length
+  Mat3 tieTurn_;
   DirectionGrid grid_;
   std::vector<Mat3> planes_;  // #F: rows p_j × p_k, so that planes n are the weights of n up to a factor
 };

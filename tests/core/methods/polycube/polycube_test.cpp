@@ -126,6 +126,15 @@ TEST_CASE("turning directions and mesh together turns the polycube, another orde
   CHECK(largestMove(turned, plain * R.transpose()) < 1e-3);
 }
 
+TEST_CASE("sides that lie between two directions stay flat, whatever rounding says") {
+  const Mat3 turn = Eigen::AngleAxisd(EIGEN_PI / 4, Vec3::UnitZ()).toRotationMatrix();
+  TriangleMesh mesh = blocks({{0, 0, 0}}, 10);
+  mesh.positions = (mesh.positions * turn.transpose()).eval();
+  const Points positions = carve(mesh, {}).positions;
+  CHECK(bentPairCount(mesh, positions) == 0);
+  CHECK(volumeInside(positions, mesh.triangles) > 0.85);
+}
+
 TEST_CASE("each part keeps its centre, and what has no normal its place") {
   const TriangleMesh one = animal(3), two = torus(16);
   TriangleMesh mesh = together(one, two, {4, 0, 0});

@@ -6,6 +6,7 @@
 #include "support/allocations.h"
 #include "support/shapes.h"
 #include "support/style_runs.h"
+#include "support/surface_measures.h"
 
 using namespace whittle;
 using namespace whittle::testing;
@@ -101,6 +102,31 @@ TEST_CASE("turning style and mesh together turns the result") {
         CHECK(largestMove(run(turned, analogy).positions, plain * R.transpose()) < 3e-4);
       }
     }
+  }
+}
+
+TEST_CASE("sides that lie between several normals of the style stay flat, whatever rounding says") {
+  TriangleMesh mesh = blocks({{0, 0, 0}}, 10);
+  Noise noise;
+  for (Index i = 0; i < mesh.positions.size(); ++i) mesh.positions.data()[i] += 1e-7 * noise();
+  for (const std::string& regularizer : {kArap, kFarap}) {
+    const Points positions = run(mesh, {octahedronStyle(), 1, regularizer}).positions;
+    CHECK(bentPairCount(mesh, positions) == 0);
+    CHECK(volumeInside(positions, mesh.triangles) > 0.85);
+  }
+}
+
+TEST_CASE("a block in the style of a cube is at rest, and its corners look three ways in that of another") {
+  const TriangleMesh mesh = blocks({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 2);
+  for (const std::string& regularizer : kAll) {
+    for (const bool isDynamic : {false, true}) {
+      CHECK(run(mesh, {cubeStyle(), 1, regularizer, isDynamic}).positions == mesh.positions);
+    }
+    GaussMapData turnedCube = cubeStyle();
+    const Mat3 R = Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    turnedCube.normals = (turnedCube.normals * R.transpose()).eval();
+    const Points positions = run(mesh, {turnedCube, 1, regularizer, false, 1e-6, 2000}).positions;
+    CHECK(angleToStyle(positions, mesh.triangles, GaussMap(turnedCube)) < 0.2);
   }
 }
 
