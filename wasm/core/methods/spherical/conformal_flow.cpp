@@ -23,10 +23,25 @@ constexpr double kMostGrowth = 10;
 constexpr double kNeedle = 2;
 constexpr double kNoReturn = 1e4;
 
+/// Inputs of fewer vertices are refined to at least so many.
+constexpr Index kFew = 500, kEnough = 1500;
+/// Times the input's diagonal that a surface may have which the iteration limit leaves on its way.
+constexpr double kLargest = 2;
+
+double squaredDiagonal(const Points& positions) {
+  return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).squaredNorm();
+}
+
 Status lost(const std::string& how) {
   return Status::failure(
       Code::numericalFailure,
       "the flow to the sphere " + how + "; subdivide the mesh or remesh it more evenly, or lower timeStep");
+}
+
+Status requireUnfolded(const Triangles& triangles, const Points& positions, const Vec3& center) {
+  const Index folded = countFolded(triangles, positions, center);
+  return folded == 0 ? Status{}
+                     : lost("folded " + std::to_string(folded) + (folded == 1 ? " face over" : " faces over"));
 }
 
 Vec3 areaCentroid(const Points& positions, const Scalars& areas) { return positions.transpose() * areas / areas.sum(); }
@@ -41,21 +56,43 @@ std::vector<Stage> ConformalFlow::plan(const TriangleMesh& rest, const Spherical
       .stages();
 }
 
-void ConformalFlow::measure(const TriangleMesh& rest) {
-  rest_ = &rest;
-  areas_ = barycentricAreas(rest.positions, rest.triangles);
+void ConformalFlow::measure(const TriangleMesh& input) {
+  input_ = rest_ = &input;
+  refinement_.reset();
+  if (input.vertexCount() < kFew) {
+    rest_ = &refinement_.emplace(input, kEnough).mesh();
+    surface_.resize(rest_->vertexCount(), 3);
+  }
+  areas_ = barycentricAreas(rest_->positions, rest_->triangles);
   restArea_ = areas_.sum();
-  restCentroid_ = areaCentroid(rest.positions, areas_);
-  const CornerScalars cotangents = halfCotangents(rest.positions, rest.triangles);
-  laplacian_ = cotangentLaplacian(rest.triangles, cotangents, rest.vertexCount());
+  restCentroid_ = areaCentroid(rest_->positions, areas_);
+  const CornerScalars cotangents = halfCotangents(rest_->positions, rest_->triangles);
+  laplacian_ = cotangentLaplacian(rest_->triangles, cotangents, rest_->vertexCount());
   system_ = laplacian_;
-  cholesky_.beginAnalyze(system_, {.isOrdered = true});
-  for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest.vertexCount(), 3);
+  cholesky_.beginAnalyze(system_, {.isOrdered = !refinement_.has_value()});
+  for (auto* points : {&gradient_, &correction_, &previous_}) points->resize(rest_->vertexCount(), 3);
 }
 
-void ConformalFlow::begin(Points&) { iterations_ = 0; }
+void ConformalFlow::begin(Points& positions) {
+  iterations_ = 0;
+  if (refinement_) refinement_->spread(positions, surface_);
+}
 
 Status ConformalFlow::step(Points& positions, StepReport& report) {
+  if (!refinement_) return stepSurface(positions, report);
+  Status status = stepSurface(surface_, report);
+  if (!status.ok()) return status;
+  Points result = surface_.topRows(positions.rows());
+  if (report.outcome == Outcome::converged) status = requireUnfolded(input_->triangles, result, restCentroid_);
+  if (status.ok()) positions = std::move(result);
+  return status;
+}
+
+bool ConformalFlow::isDrawnOut(const Points& positions) const {
+  return squaredDiagonal(positions) > kLargest * kLargest * squaredDiagonal(rest_->positions);
+}
+
+Status ConformalFlow::stepSurface(Points& positions, StepReport& report) {
   if (iterations_ >= values_.maxIterations) {
     report = {Outcome::iterationLimit, 0, 0};
     return {};
@@ -74,6 +111,8 @@ Status ConformalFlow::step(Points& positions, StepReport& report) {
                                                             : Outcome::running;
     if (report.outcome == Outcome::converged)
       status = report.energy < kNeedle ? project(positions) : lost("ended as a needle");
+    if (report.outcome == Outcome::iterationLimit && isDrawnOut(positions))
+      status = lost("drew the surface out to a needle");
   }
   if (!status.ok()) positions = previous_;
   return status;
@@ -122,9 +161,7 @@ Status ConformalFlow::project(Points& positions) const {
   for (Index v = 0; v < positions.rows(); ++v) {
     if (weights[v] > 0) positions.row(v) = restCentroid_.transpose() + radius * directions.row(v);
   }
-  const Index folded = countFolded(rest_->triangles, positions, restCentroid_);
-  if (folded == 0) return {};
-  return lost("folded " + std::to_string(folded) + (folded == 1 ? " face over" : " faces over"));
+  return requireUnfolded(rest_->triangles, positions, restCentroid_);
 }
 
 MethodInfo sphericalMethod() {

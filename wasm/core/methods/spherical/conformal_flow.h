@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include "linear/sparse_cholesky.h"
 #include "methods/method.h"
+#include "methods/spherical/midpoint_refinement.h"
 
 namespace whittle {
 
@@ -26,6 +29,9 @@ struct SphericalParameters {
 /// it and no triangle folded over; whoever needs points of the unit sphere takes the directions from the centroid. A
 /// run that the iteration limit ends leaves the surface as it is.
 ///
+/// A mesh of few vertices flows as a finer one of the same shape: lumped areas at the eight corners of a box cannot tell a
+/// sphere from an ellipsoid, and the flow draws them out to a needle.
+///
 /// The energy that is reported is Dirichlet's over the area: at least 1, and 1 only where the map keeps angles. Each
 /// step factors a matrix anew and allocates for it.
 class ConformalFlow : public MethodOf<SphericalParameters> {
@@ -33,12 +39,15 @@ class ConformalFlow : public MethodOf<SphericalParameters> {
   /// @param rest a mesh that `requireSphere` lets through
   std::vector<Stage> plan(const TriangleMesh& rest, const SphericalParameters& values, Stale stale) override;
   void begin(Points& positions) override;
-  /// Fails with `numericalFailure` where the flow loses its numbers or ends folded; the positions are then those
-  /// before.
+  /// Fails with `numericalFailure` where the flow loses its numbers, ends folded or leaves the input's size behind; the
+  /// positions are then those before.
   Status step(Points& positions, StepReport& report) override;
 
  private:
   void measure(const TriangleMesh& rest);
+  Status stepSurface(Points& positions, StepReport& report);
+  /// Whether the surface is drawn out of all proportion to the input.
+  bool isDrawnOut(const Points& positions) const;
   /// Moves the surface by one solve; `area` is its area before.
   Status flow(Points& positions, double area);
   /// The time step of this iteration.
@@ -53,7 +62,9 @@ class ConformalFlow : public MethodOf<SphericalParameters> {
   SphericalParameters values_;
 
   // Prepared once per mesh
-  const TriangleMesh* rest_ = nullptr;
+  const TriangleMesh* input_ = nullptr;
+  std::optional<MidpointRefinement> refinement_;  // of an input of few vertices
+  const TriangleMesh* rest_ = nullptr;            // what flows: the input or its refinement
   double restArea_ = 0;
   Vec3 restCentroid_ = Vec3::Zero();
   SparseMatrix laplacian_;  // L₀, lower triangle
@@ -62,6 +73,7 @@ class ConformalFlow : public MethodOf<SphericalParameters> {
 
   // Running state
   int iterations_ = 0;
+  Points surface_;     // of the refinement
   Scalars areas_;      // #V, M
   Points gradient_;    // #V×3, L₀ U; then the directions from the centroid
   Points correction_;  // #V×3; then the move
