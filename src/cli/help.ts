@@ -23,8 +23,8 @@ Flags
   --quiet         no progress and no warnings
   --version       the version
 
-Formats: OBJ, STL, PLY, OFF, GLB and glTF. Ctrl-C stops after the current iteration and keeps what there is; a second one
-stops at once.
+Formats: OBJ, STL, PLY, OFF, 3MF, GLB and glTF. Ctrl-C stops after the current iteration and keeps what there is; a second
+one stops at once.
 Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 failed numerically (nothing is written).
 `;
 }

@@ -12,6 +12,7 @@ export const formats = [
   { id: 'stl-ascii', ending: '.stl', label: 'STL (text)', up: 'z' },
   { id: 'ply-binary', ending: '.ply', label: 'PLY', up: 'y' },
   { id: 'ply-ascii', ending: '.ply', label: 'PLY (text)', up: 'y' },
+  { id: '3mf', ending: '.3mf', label: '3MF for printing', up: 'z' },
   { id: 'off', ending: '.off', label: 'OFF', up: 'y' },
 ] as const;
 

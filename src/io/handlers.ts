@@ -1,3 +1,6 @@
+import { patch3mf } from './3mf/patch.ts';
+import { lookOf3mf, scan3mf } from './3mf/scan.ts';
+import { write3mf } from './3mf/write.ts';
 import type { FilesBeside, Reference } from './beside.ts';
 import type { Format } from './formats.ts';
 import { GltfDocument } from './gltf/document.ts';
@@ -77,6 +80,7 @@ export const handlers: Readonly<Record<Format, Handler>> = {
   'stl-ascii': { read: reader(scanStlText, patchStlText), write: writeStlText, room: {} },
   'ply-ascii': { read: reader(scanPly, patchPly), write: writePlyText, room: { colors: true, uvs: true } },
   'ply-binary': { read: reader(scanPly, patchPly), write: writePlyBinary, room: { colors: true, uvs: true } },
+  '3mf': { read: reader(scan3mf, patch3mf, lookOf3mf), write: write3mf, room: {} },
   off: { read: reader(scanOff, patchOff), write: writeOff, room: { colors: true } },
   glb: {
     references: (bytes, name) => new GltfDocument(bytes, name, true).references(),

@@ -1,3 +1,4 @@
+import { hasModel } from './3mf/scan.ts';
 import { decodeAscii, hasByteOrderMark } from './bytes.ts';
 import type { Format } from './formats.ts';
 import { fileNameEndings } from './formats.ts';
@@ -6,14 +7,11 @@ import { readPlyHeader } from './ply/header.ts';
 import { refusal } from './refuse.ts';
 import { hasFacetLength, looksLikeFacets } from './stl/facet-count.ts';
 import { TextScanner } from './text-scanner.ts';
+import { isZip } from './zip.ts';
 
 /** Files that people drop by mistake, by their first bytes: what they are and what to do. */
 const strangers: readonly (readonly [readonly number[], string])[] = [
   [[0x1f, 0x8b], 'it is compressed with gzip; unpack it first'],
-  [
-    [0x50, 0x4b, 0x03, 0x04],
-    'it is a zip archive; unpack it first (a .3mf must be exported as .obj or .stl)',
-  ],
   [[0x42, 0x5a, 0x68], 'it is compressed with bzip2; unpack it first'],
   [[0xfd, 0x37, 0x7a, 0x58, 0x5a], 'it is compressed with xz; unpack it first'],
   [[0x37, 0x7a, 0xbc, 0xaf], 'it is a 7z archive; unpack it first'],
@@ -41,6 +39,10 @@ export function recognise(bytes: Uint8Array, name: string): Format {
   if (bytes.length === 0) throw refusal('empty-file', name, '', 'it is empty; export it again.');
   const stranger = strangers.find(([magic]) => magic.every((byte, i) => bytes[i] === byte));
   if (stranger) throw refusal('unsupported-file', name, '', `${stranger[1]}.`);
+  if (isZip(bytes)) {
+    if (hasModel(bytes, name)) return '3mf';
+    throw refusal('unsupported-file', name, '', 'it is a zip archive; unpack it first.');
+  }
   if (decodeAscii(bytes, 0, 4) === 'glTF') return 'glb';
   const begin = hasByteOrderMark(bytes) ? 3 : 0;
   if (/^ply\s/i.test(decodeAscii(bytes, begin, begin + 4))) {

@@ -1,4 +1,5 @@
 import { gzipSync } from 'node:zlib';
+import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { readMesh } from '../../src/io/index.ts';
 import { type Case, itRefuses } from '../fixtures/refusals.ts';
@@ -44,7 +45,8 @@ const anyFile: Case[] = [
   ['UTF-16 without', utf16(cubeObj()), 'unsupported-file', /UTF-16/],
   ['UTF-16, big end first', utf16(cubeObj(), true), 'unsupported-file', /UTF-16/],
   ['gzip', gzipSync(cubeObj()), 'unsupported-file', /gzip; unpack/],
-  ['zip', ascii('PK\u0003\u0004rest'), 'unsupported-file', /zip/],
+  ['zip', zipSync({ 'a.obj': ascii(cubeObj()) }), 'unsupported-file', /zip archive; unpack/],
+  ['a broken zip', ascii('PK\u0003\u0004rest'), 'truncated-file', /archive is broken/],
   ['FBX', ascii('Kaydara FBX Binary  \0'), 'unsupported-file', /FBX.*\.glb/],
   ['a picture', Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10), 'unsupported-file', /picture/],
 ];

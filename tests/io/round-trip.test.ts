@@ -131,6 +131,7 @@ describe('file names', () => {
       'gltf',
       'stl-binary',
       'ply-binary',
+      '3mf',
       'off',
     ]);
   });

@@ -14,7 +14,10 @@ export function chooseMesh<Named extends { readonly name: string }>(files: reado
   const meshes = files.filter(({ name }) => isMeshFileName(name));
   const mesh = meshes[0] ?? files.find(({ name }) => !companions.test(name)) ?? null;
   if (!mesh) {
-    return { mesh, note: 'None of these files is a mesh. Drop an OBJ, STL, PLY, OFF, GLB or glTF file.' };
+    return {
+      mesh,
+      note: 'None of these files is a mesh. Drop an OBJ, STL, PLY, OFF, 3MF, GLB or glTF file.',
+    };
   }
   if (meshes.length > 1)
     return { mesh, note: `Opened ${mesh.name}; one mesh at a time, drop the others later.` };
