@@ -14,6 +14,14 @@ import { recognise } from './sniff.ts';
 
 export { type FilesBeside, nameOfPath, type Reference } from './beside.ts';
 export {
+  type Compression,
+  type Decoders,
+  type DracoAttributes,
+  type DracoMesh,
+  type PlainFile,
+  uncompressed,
+} from './compressed.ts';
+export {
   endingOf,
   type Format,
   type FormatInfo,

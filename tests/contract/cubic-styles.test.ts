@@ -1,16 +1,15 @@
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { createEngine, type Engine } from '../../src/engine/client.ts';
-import { fileServices } from '../../src/engine/file-services.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
 import type { Quaternion } from '../../src/methods/values/rotation.ts';
-import { testCore } from '../fixtures/core.ts';
+import { testCore, testFiles } from '../fixtures/core.ts';
 import { bunny, icosphere } from '../fixtures/meshes.ts';
 import { angleTo } from '../fixtures/surfaces.ts';
 
 let engine: Engine;
 beforeAll(() => {
-  engine = createEngine({ spawn: () => spawnInProcess({ ...fileServices, loadCore: testCore }) });
+  engine = createEngine({ spawn: () => spawnInProcess({ ...testFiles, loadCore: testCore }) });
 });
 afterAll(() => engine.dispose());
 

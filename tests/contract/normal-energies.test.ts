@@ -1,10 +1,9 @@
 import { describe, expect, test } from 'vitest';
 import { createEngine } from '../../src/engine/client.ts';
-import { fileServices } from '../../src/engine/file-services.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import { findPrimitive } from '../../src/inputs/styles/primitives.ts';
 import { resolveStyle } from '../../src/inputs/styles/resolve.ts';
-import { testCore } from '../fixtures/core.ts';
+import { testCore, testFiles } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, type TestMesh } from '../fixtures/meshes.ts';
 import { run } from '../fixtures/runs.ts';
 import { angleDefects, angleTo, faces, shareWithin, volumeInside } from '../fixtures/surfaces.ts';
@@ -48,7 +47,7 @@ describe('polycube', () => {
   );
 
   test('an engine runs it from the file’s own shape, wherever the run before ended', async () => {
-    const spawn = () => spawnInProcess({ ...fileServices, loadCore: testCore });
+    const spawn = () => spawnInProcess({ ...testFiles, loadCore: testCore });
     const engine = createEngine({ spawn });
     const mesh = { ...bunny(), hasUvs: false };
     const parameters = { directions: await directions('cube'), maxIterations: 12 };

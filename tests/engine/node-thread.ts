@@ -11,7 +11,7 @@ export function spawnThread(root: string): ClientPort & { crash(): void } {
     import { fileServices } from ${url('dist/engine/file-services.js')};
     import { serve } from ${url('dist/engine/server.js')};
     const wasm = new URL(${url('wasm/dist/whittle-core.wasm')});
-    serve(parentPort, { ...fileServices, loadCore: () => loadCore(readFileSync(wasm)) });
+    serve(parentPort, { ...fileServices(), loadCore: () => loadCore(readFileSync(wasm)) });
     parentPort.addEventListener('message', ({ data }) => {
       if (data === 'crash') throw new Error('crashed on purpose');
     });`;

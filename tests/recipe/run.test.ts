@@ -1,13 +1,12 @@
 import { afterAll, describe, expect, test } from 'vitest';
 import { createEngine, type Engine } from '../../src/engine/client.ts';
-import { fileServices } from '../../src/engine/file-services.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import { type RecipeStep, Resolver, runRecipe, runStep } from '../../src/recipe/index.ts';
-import { testCore } from '../fixtures/core.ts';
+import { testCore, testFiles } from '../fixtures/core.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 
-const engine: Engine = createEngine({ spawn: () => spawnInProcess({ ...fileServices, loadCore: testCore }) });
+const engine: Engine = createEngine({ spawn: () => spawnInProcess({ ...testFiles, loadCore: testCore }) });
 afterAll(() => engine.dispose());
 
 const ball = icosphere(2) as Mesh;

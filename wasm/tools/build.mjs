@@ -1,4 +1,4 @@
-import { existsSync } from 'node:fs';
+import { copyFileSync, existsSync } from 'node:fs';
 import { probe, runQuietly } from './run.mjs';
 import { fingerprint, isFresh, markFresh } from './stamps.mjs';
 
@@ -9,12 +9,14 @@ const programs = [
 ];
 const testSources = [...sources, 'wasm/reference', 'tests/core'];
 
-/** Builds the wasm module into wasm/dist. */
+/** Builds the wasm module into wasm/dist; Draco's decoder comes beside it, where the worker finds it. */
 export function buildWasm() {
   const state = fingerprint(sources, probe('em++')?.split('\n')[0]);
-  if (existsSync('wasm/dist/whittle-core.wasm') && isFresh('wasm', state)) return;
-  configureAndBuild('Building the core as wasm', 'wasm/build/wasm', [], 'emcmake');
-  markFresh('wasm', state);
+  if (!existsSync('wasm/dist/whittle-core.wasm') || !isFresh('wasm', state)) {
+    configureAndBuild('Building the core as wasm', 'wasm/build/wasm', [], 'emcmake');
+    markFresh('wasm', state);
+  }
+  copyFileSync('node_modules/draco3d/draco_decoder.wasm', 'wasm/dist/draco_decoder.wasm');
 }
 
 /** Builds the C++ tests: natively with sanitizers and Eigen's own checks, and as wasm for Node. */

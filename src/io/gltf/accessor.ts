@@ -142,8 +142,7 @@ export class Accessor {
       /meshopt/i.test(key),
     );
     if (compressed) {
-      const sentence =
-        'it is compressed with meshopt; decompress it first, for example with "gltf-transform copy".';
+      const sentence = 'it is compressed with meshopt; open it with an engine, which loads the decoder.';
       throw refusal('unsupported-file', document.name, viewPlace, sentence);
     }
     const buffer = document.count(view.buffer, viewPlace);

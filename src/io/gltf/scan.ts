@@ -181,8 +181,7 @@ class GltfScan {
   #refuseCompression(json: Json, place: string): void {
     const extensions = this.#document.record(json.extensions ?? {}, place);
     if (extensions.KHR_draco_mesh_compression === undefined) return;
-    const sentence =
-      'it is compressed with Draco; export it without compression, or decompress it with "gltf-transform copy".';
+    const sentence = 'it is compressed with Draco; open it with an engine, which loads the decoder.';
     throw refusal('unsupported-file', this.#document.name, place, sentence);
   }
 
