@@ -18,8 +18,7 @@ using namespace whittle::testing;
 namespace {
 
 std::vector<Attachment> contactsOf(const TriangleMesh& mesh) {
-  const Components parts = connectedComponents(mesh.triangles, mesh.vertexCount());
-  ContactSearch search(mesh, parts);
+  ContactSearch search(mesh, partsByEdges(mesh.triangles, mesh.vertexCount()));
   while (search.next() < 1) {
   }
   return search.take();
@@ -108,6 +107,13 @@ TEST_CASE("contacts are found as by holding everything against everything") {
       if (parts.ofVertex[v] != part && distance < kContactReach) near.insert(v);
     }
   }
+  for (const auto& [v, w] : edges) {
+    for (const auto& [a, b] : edges) {
+      if (parts.ofVertex[v] == parts.ofVertex[a] || v > a) continue;
+      const auto found = nearestBetween(at(v), at(w), at(a), at(b));
+      expected += found && found->distance < kContactReach;
+    }
+  }
   REQUIRE(expected > 20);
   const std::vector<Attachment> rows = contactsOf(mesh);
   CHECK(rows.size() == expected + near.size());
@@ -128,6 +134,60 @@ TEST_CASE("a part within another, parts that do not touch and single parts have 
   CHECK(contactsOf(together(sphere(3), inner, Vec3::Zero())).empty());
   CHECK(contactsOf(together(sphere(3), sphere(3), Vec3(2.01, 0, 0))).empty());
   CHECK(!contactsOf(together(sphere(3), sphere(3), Vec3(2.001, 0, 0))).empty());
+}
+
+TEST_CASE("the nearest points of two segments are nearer than all others") {
+  Noise noise;
+  int count = 0;
+  for (int n = 0; n < 200; ++n) {
+    const Vec3 p = noise.direction(), q = noise.direction(), a = noise.direction(), b = noise.direction();
+    const auto found = nearestBetween(p, q, a, b);
+    if (!found) continue;
+    ++count;
+    const auto distance = [&](double s, double t) { return (p + s * (q - p) - a - t * (b - a)).norm(); };
+    CHECK(found->distance == doctest::Approx(distance(found->alongFirst, found->alongSecond)));
+    for (int i = 0; i <= 10; ++i) {
+      for (int j = 0; j <= 10; ++j) CHECK(found->distance <= distance(i / 10.0, j / 10.0) + 1e-12);
+    }
+  }
+  CHECK(count > 20);
+  CHECK(!nearestBetween(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3(1, 1, 0)));
+}
+
+TEST_CASE("planks that lie across each other touch where their edges cross") {
+  const TriangleMesh plank = longBox(8, 1);
+  TriangleMesh across = plank;
+  for (Index v = 0; v < plank.vertexCount(); ++v)
+    across.positions.row(v) << -plank.positions(v, 1), plank.positions(v, 0), plank.positions(v, 2);
+  TriangleMesh mesh = together(plank, across, Vec3(4.55, -3.6, 1));
+  mesh.positions /= 8;
+  const std::vector<Attachment> rows = contactsOf(mesh);
+  CHECK(rows.size() >= 4);
+  const TriangleMesh slanted = turned(mesh, 20);
+  CHECK(widestGap(rows, slanted.positions, runCubic(slanted, 0.4, "free", nullptr)) > 0.02);
+  CHECK(widestGap(rows, slanted.positions, runCubic(slanted, 0.4, "together", nullptr)) < 0.004);
+}
+
+TEST_CASE("parts that share no more than a vertex are parts, and touch") {
+  const TriangleMesh box = longBox(4, 2);
+  TriangleMesh mesh = together(box, turned(box, 30), Vec3(0.5, 0.5, 1));
+  mesh.positions /= 3;
+  // The lower one's vertex under the corner at which the upper one was turned takes that corner's place.
+  const auto place = Eigen::RowVector3d(0.5, 0.5, 1) / 3;
+  std::vector<Index> there;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    if ((mesh.positions.row(v) - place).norm() < 1e-9) there.push_back(v);
+  }
+  REQUIRE(there.size() == 2);
+  for (Index c = 0; c < mesh.triangles.size(); ++c) {
+    Index& v = mesh.triangles.data()[c];
+    if (v == there[1]) v = there[0];
+  }
+  CHECK(connectedComponents(mesh.triangles, mesh.vertexCount()).count == 2);  // and the vertex that is left over
+  const std::vector<Attachment> rows = contactsOf(mesh);
+  CHECK(rows.size() > 8);
+  CHECK(widestGap(rows, mesh.positions, runCubic(mesh, 0.4, "free", nullptr)) > 0.02);
+  CHECK(widestGap(rows, mesh.positions, runCubic(mesh, 0.4, "together", nullptr)) < 0.01);
 }
 
 TEST_CASE("forces of attachments are the gradient of their energy, and the matrix is theirs") {

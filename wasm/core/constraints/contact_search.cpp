@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "geometry/triangle_contact.h"
 
@@ -13,12 +14,16 @@ namespace {
 constexpr Index kSifted = 100'000, kCompared = 10'000;
 constexpr std::size_t kMoved = 200'000;
 
+/// Edges from this length on may cross others far from any vertex.
+constexpr double kLong = 8 * kContactReach;
+
 /// Shares of the work that are done when a stage begins.
 constexpr double kSiftedShare = 0.1, kTreeShare = 0.4;
 
 }  // namespace
 
-ContactSearch::ContactSearch(const TriangleMesh& mesh, const Components& parts) : mesh_(mesh), parts_(parts) {
+ContactSearch::ContactSearch(const TriangleMesh& mesh, std::vector<Index> partOfFace)
+    : mesh_(mesh), partOfFace_(std::move(partOfFace)) {
   Index f = 0;
   while (f < mesh.faceCount() && partOf(f) == partOf(0)) ++f;
   if (f == mesh.faceCount()) stage_ = Stage::done;  // one part touches nothing
@@ -57,7 +62,7 @@ double ContactSearch::next() {
 }
 
 void ContactSearch::growPartTree() {
-  std::vector<Index> boxOfPart(parts_.count, -1);
+  std::vector<Index> boxOfPart(1 + *std::max_element(partOfFace_.begin(), partOfFace_.end()), -1);
   std::vector<Box> boxes;
   for (Index f = 0; f < mesh_.faceCount(); ++f) {
     Index& box = boxOfPart[partOf(f)];
@@ -126,25 +131,37 @@ void ContactSearch::attachVertex(Index v) {
 }
 
 void ContactSearch::attachEdge(Index v, Index w) {
+  const bool isLong = (at(w) - at(v)).norm() > kLong;
   for (const Index face : near_) {
+    if (isLong) attachCrossed(v, w, face);
     const auto found = crossing(at(v), at(w), corner(face, 0), corner(face, 1), corner(face, 2));
     if (!found) continue;
     const auto corners = mesh_.triangles.row(face);
     const auto& [along, weights] = *found;
     const Attachment row{{v, w, corners[0], corners[1], corners[2]},
                          {1 - along, along, -weights[0], -weights[1], -weights[2]}};
-    piercings_.push_back({v, w, face, row});
+    meetings_.push_back({{v, w, face, -1}, row});
+  }
+}
+
+void ContactSearch::attachCrossed(Index v, Index w, Index face) {
+  for (int k = 0; k < 3; ++k) {
+    const auto [a, b] = std::minmax(mesh_.triangles(face, k), mesh_.triangles(face, (k + 1) % 3));
+    // Each pair comes along twice, once from either side.
+    if (std::pair(a, b) < std::pair(v, w) || (at(b) - at(a)).norm() <= kLong) continue;
+    const auto found = nearestBetween(at(v), at(w), at(a), at(b));
+    if (!found || found->distance >= kContactReach) continue;
+    const auto& [s, t, unused] = *found;
+    meetings_.push_back({{v, w, a, b}, {{v, w, a, b, b}, {1 - s, s, t - 1, -t, 0}}});
   }
 }
 
 std::vector<Attachment> ContactSearch::take() {
-  // Every face of an edge has come across its piercings.
-  const auto place = [](const Piercing& each) { return std::tuple(each.low, each.high, each.face); };
-  std::sort(piercings_.begin(), piercings_.end(),
-            [&](const Piercing& a, const Piercing& b) { return place(a) < place(b); });
-  const auto end = std::unique(piercings_.begin(), piercings_.end(),
-                               [&](const Piercing& a, const Piercing& b) { return place(a) == place(b); });
-  for (auto each = piercings_.begin(); each != end; ++each) rows_.push_back(each->row);
+  // Every face of an edge has come across its meetings.
+  std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) { return a.place < b.place; });
+  const auto end = std::unique(meetings_.begin(), meetings_.end(),
+                               [](const Meeting& a, const Meeting& b) { return a.place == b.place; });
+  for (auto each = meetings_.begin(); each != end; ++each) rows_.push_back(each->row);
   return std::move(rows_);
 }
 

@@ -11,6 +11,8 @@ namespace whittle {
 namespace {
 
 const double kLeastCosine = std::cos(55 * EIGEN_PI / 180);
+/// Faces that are all nearer than this to one direction bend by less than that between any two.
+const double kLeastCosineOfMean = std::cos(27.5 * EIGEN_PI / 180);
 /// A face whose doubled area is below this share of its longest edge squared has no normal but rounding: files hold
 /// positions in single precision.
 constexpr double kNoArea = 1e-6;
@@ -33,6 +35,23 @@ Points sureNormals(const Points& positions, const Triangles& triangles) {
     }
   }
   return normals;
+}
+
+/// Vertices whose faces may bend too much, #V. All others have one fan, which is quickly told.
+std::vector<bool> mayBend(const Points& normals, const Triangles& triangles, Index vertexCount) {
+  Points means = Points::Zero(vertexCount, 3);
+  for (Index f = 0; f < triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) means.row(triangles(f, k)) += normals.row(f);
+  }
+  means.rowwise().normalize();
+  std::vector<bool> result(vertexCount, false);
+  for (Index f = 0; f < triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const Index v = triangles(f, k);
+      if (!(means.row(v).dot(normals.row(f)) >= kLeastCosineOfMean)) result[v] = true;
+    }
+  }
+  return result;
 }
 
 /// Sets that grow together, the smallest member standing for each.
@@ -59,8 +78,8 @@ class Unions {
 /// Tells the fans of one vertex after the other.
 class FanFinder {
  public:
-  FanFinder(const Points& positions, const Triangles& triangles)
-      : triangles_(triangles), normals_(sureNormals(positions, triangles)), place_(positions.rows(), -1) {}
+  FanFinder(const Points& normals, const Triangles& triangles, Index vertexCount)
+      : triangles_(triangles), normals_(normals), place_(vertexCount, -1) {}
 
   /// Numbers the fans of a vertex by their first faces, from 0; returns how many there are.
   /// @param corners of its faces
@@ -140,7 +159,7 @@ class FanFinder {
   };
 
   const Triangles& triangles_;
-  Points normals_;
+  const Points& normals_;
   std::vector<Index> place_;   // #V, of a neighbour in `spokes_`, or −1
   std::vector<Index> spokes_;  // neighbours
   std::vector<Side> sides_;
@@ -154,17 +173,24 @@ class FanFinder {
 
 SmoothFans smoothFans(const Points& positions, const Triangles& triangles) {
   const Index vertexCount = static_cast<Index>(positions.rows());
-  const Fans stars(triangles, vertexCount);
-  FanFinder finder(positions, triangles);
+  const Points normals = sureNormals(positions, triangles);
+  const std::vector<bool> bends = mayBend(normals, triangles, vertexCount);
   SmoothFans result;
-  result.start.assign(1, 0);
-  result.start.reserve(vertexCount + 1);
+  result.start.resize(vertexCount + 1);
+  std::iota(result.start.begin(), result.start.end(), 0);
+  if (std::find(bends.begin(), bends.end(), true) == bends.end()) return result;
+
+  const Fans stars(triangles, vertexCount);
+  FanFinder finder(normals, triangles, vertexCount);
   result.ofCorner.resize(triangles.rows(), 3);
+  Index fan = 0;
   for (Index v = 0; v < vertexCount; ++v) {
-    const Index first = stars.start[v], count = stars.start[v + 1] - first, fan = result.count();
-    const Index fanCount = finder.find(v, stars.corners.data() + first, count);
-    for (Index i = 0; i < count; ++i) result.ofCorner.data()[stars.corners[first + i]] = fan + finder.fans()[i];
-    result.start.push_back(fan + fanCount);
+    const Index first = stars.start[v], count = stars.start[v + 1] - first;
+    const Index fanCount = bends[v] ? finder.find(v, stars.corners.data() + first, count) : 1;
+    for (Index i = 0; i < count; ++i)
+      result.ofCorner.data()[stars.corners[first + i]] = fan + (bends[v] ? finder.fans()[i] : 0);
+    fan += fanCount;
+    result.start[v + 1] = fan;
   }
   if (result.count() == vertexCount) result.ofCorner.resize(0, 3);
   return result;

@@ -8,6 +8,9 @@ namespace whittle {
 
 namespace {
 
+/// Squared sine below which two segments are parallel: they are near each other all along, or nowhere.
+constexpr double kParallel = 1e-4;
+
 /// Share of the way from a to b at which p is nearest.
 double shareAlong(const Vec3& p, const Vec3& a, const Vec3& b) {
   const double square = (b - a).squaredNorm();
@@ -52,6 +55,15 @@ std::optional<Crossing> crossing(const Vec3& p, const Vec3& q, const Vec3& a, co
                     normal.dot((b - a).cross(at - a)));
   if (!(inside.minCoeff() >= 0 && inside.sum() > 0)) return {};
   return Crossing{along, inside / inside.sum()};
+}
+
+std::optional<Approach> nearestBetween(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
+  const Vec3 first = q - p, second = b - a, between = a - p, normal = first.cross(second);
+  const double square = normal.squaredNorm();
+  if (square <= kParallel * first.squaredNorm() * second.squaredNorm()) return {};
+  const double s = between.cross(second).dot(normal) / square, t = between.cross(first).dot(normal) / square;
+  if (!(s > 0 && s < 1 && t > 0 && t < 1)) return {};
+  return Approach{s, t, (between + t * second - s * first).norm()};
 }
 
 }  // namespace whittle

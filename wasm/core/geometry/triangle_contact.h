@@ -18,4 +18,13 @@ struct Crossing {
 /// The crossing of the segment from p to q with a triangle; none where they are parallel or miss each other.
 std::optional<Crossing> crossing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Where two segments are nearest to each other, as shares of the way along each.
+struct Approach {
+  double alongFirst, alongSecond;
+  double distance;
+};
+
+/// The approach of the segments pq and ab; none where they are nearest at an end of one, or parallel.
+std::optional<Approach> nearestBetween(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
+
 }  // namespace whittle

@@ -61,6 +61,35 @@ Components connectedComponents(const Triangles& triangles, Index vertexCount) {
   return components;
 }
 
+std::vector<Index> Components::ofFaces(const Triangles& triangles) const {
+  std::vector<Index> parts(triangles.rows());
+  for (Index f = 0; f < triangles.rows(); ++f) parts[f] = ofVertex[triangles(f, 0)];
+  return parts;
+}
+
+std::vector<Index> partsByEdges(const Triangles& triangles, Index vertexCount) {
+  const Fans fans(triangles, vertexCount);
+  std::vector<Index> parent(triangles.rows()), faceAt(vertexCount, -1);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto forEachUpward = [&](Index v, auto&& visit) {
+    for (Index p = fans.start[v]; p < fans.start[v + 1]; ++p) {
+      const Index f = fans.corners[p] / 3;
+      for (const int k : kOtherCorners[fans.corners[p] % 3]) {
+        if (triangles(f, k) > v) visit(f, faceAt[triangles(f, k)]);
+      }
+    }
+  };
+  for (Index v = 0; v < vertexCount; ++v) {
+    forEachUpward(v, [&](Index f, Index& last) {
+      if (last >= 0) join(parent, last, f);
+      last = f;
+    });
+    forEachUpward(v, [](Index, Index& last) { last = -1; });
+  }
+  for (Index f = 0; f < static_cast<Index>(parent.size()); ++f) parent[f] = findRoot(parent, f);
+  return parent;
+}
+
 Fans::Fans(const Triangles& triangles, Index vertexCount) : start(vertexCount + 1, 0), corners(triangles.size()) {
   const Index* const vertices = triangles.data();
   const Index count = static_cast<Index>(triangles.size());

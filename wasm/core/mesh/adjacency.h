@@ -10,10 +10,16 @@ namespace whittle {
 struct Components {
   std::vector<Index> ofVertex;  // #V, part of each vertex, numbered by first vertex
   Index count = 0;
+
+  /// Part of each face, #F.
+  std::vector<Index> ofFaces(const Triangles& triangles) const;
 };
 
 /// Parts by shared vertices (edges of faces connect, so a bow-tie vertex joins its two fans).
 Components connectedComponents(const Triangles& triangles, Index vertexCount);
+
+/// Part of each face, #F, by shared edges: faces that meet in no more than a vertex hang by no edge.
+std::vector<Index> partsByEdges(const Triangles& triangles, Index vertexCount);
 
 /// The face corners at each vertex: of v, corners[start[v]] … corners[start[v + 1] − 1], ascending. Corner k of face f
 /// is 3f + k.

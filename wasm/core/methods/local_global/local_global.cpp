@@ -70,7 +70,12 @@ void LocalGlobal::collectEdges(double& done) {
 }
 
 void LocalGlobal::findContacts(double& done) {
-  if (!contactSearch_) contactSearch_ = std::make_unique<ContactSearch>(rest_->mesh, components_);
+  const auto& [mesh, areas, normals, fans] = *rest_;
+  // Parts that share a vertex bend there: a smooth surface hangs together by edges.
+  if (!contactSearch_)
+    contactSearch_ =
+        std::make_unique<ContactSearch>(mesh, fans.areVertices() ? components_.ofFaces(mesh.triangles)
+                                                                 : partsByEdges(mesh.triangles, mesh.vertexCount()));
   done = contactSearch_->next();
   if (done < 1) return;
   contacts_ = Attachments(contactSearch_->take());

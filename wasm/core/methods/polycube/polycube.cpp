@@ -65,7 +65,8 @@ void PolyCube::measure(const TriangleMesh& rest) {
 }
 
 void PolyCube::findContacts(double& done) {
-  if (!contactSearch_) contactSearch_ = std::make_unique<ContactSearch>(*rest_, components_);
+  if (!contactSearch_)
+    contactSearch_ = std::make_unique<ContactSearch>(*rest_, partsByEdges(rest_->triangles, rest_->vertexCount()));
   done = contactSearch_->next();
   if (done < 1) return;
   contacts_ = Attachments(contactSearch_->take());

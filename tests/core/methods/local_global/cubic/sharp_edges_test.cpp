@@ -87,7 +87,7 @@ double bruteForce(Noise& noise, const FanVertex& vertex) {
 
 struct Cut {
   double before, after;
-  StyledRun run;
+  Run run;
 };
 
 /// Mean angle between faces and the nearest axis, before and after `cubic`.
@@ -99,7 +99,7 @@ Cut cut(const TriangleMesh& mesh, double lambda, const char* localStep) {
   REQUIRE(session.set("localStep", encoded(localStep)).ok());
   REQUIRE(session.prepare().ok());
   const GaussMap cube(cubeStyle());
-  Cut result{angleToStyle(mesh.positions, mesh.triangles, cube), 0, finish(session, mesh.vertexCount())};
+  Cut result{angleToStyle(mesh.positions, mesh.triangles, cube), 0, finish(session)};
   result.after = angleToStyle(result.run.positions, mesh.triangles, cube);
   return result;
 }
