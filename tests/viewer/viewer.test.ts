@@ -42,6 +42,31 @@ describe('a surface', () => {
     expect(normals).toEqual(Array.from({ length: 6 }, () => [0, 0, 1]).flat());
   });
 
+  it('is framed by what matters: strays move neither the frame nor the floor', () => {
+    const plain = new Surface(tetrahedron());
+    const { positions, triangles } = tetrahedron();
+    const strays = [1e6, -1e6, 3, Number.NaN, 0, Number.POSITIVE_INFINITY];
+    const speck = [1e5, -1e5, 0, 1e5 + 1e-3, -1e5, 0, 1e5, -1e5, 1e-3];
+    const surface = new Surface({
+      positions: Float64Array.of(...positions, ...strays, ...speck),
+      triangles: Uint32Array.of(...triangles, 6, 7, 8),
+    });
+    expect([surface.frame, surface.size]).toEqual([plain.frame, plain.size]);
+    expect([surface.reach, surface.lowest(1)]).toEqual([plain.reach, plain.lowest(1)]);
+  });
+
+  it('shows two-sided faces once, and lights them', () => {
+    const { positions, triangles } = tetrahedron();
+    const back = triangles.slice().reverse();
+    const surface = new Surface({ positions, triangles: Uint32Array.of(...triangles, ...back) });
+    const plain = new Surface(tetrahedron());
+    expect(surface.geometry.index!.array).toEqual(triangles);
+    expect(surface.geometry.getAttribute('normal').array).toEqual(
+      plain.geometry.getAttribute('normal').array,
+    );
+    expect(surface.facing).toBe('out');
+  });
+
   it('knows where its faces look, and that a sheet has no inside', () => {
     const turned = ({ positions, triangles }: Pick<Mesh, 'positions' | 'triangles'>): Mesh => ({
       positions,
