@@ -1,12 +1,11 @@
 import { afterAll, describe, expect, test } from 'vitest';
 import { createEngine, type Engine } from '../../src/engine/client.ts';
-import { fileServices } from '../../src/engine/file-services.ts';
 import { spawnInProcess } from '../../src/engine/in-process.ts';
 import { type RecipeStep, runRecipe } from '../../src/recipe/index.ts';
-import { testCore } from '../fixtures/core.ts';
+import { testCore, testFiles } from '../fixtures/core.ts';
 import { icosphere, type TestMesh } from '../fixtures/meshes.ts';
 
-const engine: Engine = createEngine({ spawn: () => spawnInProcess({ ...fileServices, loadCore: testCore }) });
+const engine: Engine = createEngine({ spawn: () => spawnInProcess({ ...testFiles, loadCore: testCore }) });
 afterAll(() => engine.dispose());
 
 /** An egg with a dent: nothing about it is special, and it is genus 0. */

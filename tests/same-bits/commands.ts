@@ -31,6 +31,7 @@ export const commands: readonly Command[] = [
   ['arap ball.obj --handles handles.json --regularizer farap --acceleration none', 'stl'],
   ['arap family.obj --handles pins.json --regularizer acap', 'ply'],
   ['spherical bunny.off', 'ply'],
+  ['spherical egg.3mf', '3mf'],
   ['run steps.json ball.obj', 'obj'],
   ['run relief.json jar.obj', 'obj'],
 ];

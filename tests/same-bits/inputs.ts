@@ -1,9 +1,10 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { objText, offText, plyText, stlBytes } from '../fixtures/mesh-files.ts';
+import { modelText, objText, offText, plyText, stlBytes } from '../fixtures/mesh-files.ts';
 import { bunny, icosphere, type TestMesh } from '../fixtures/meshes.ts';
 import { family, pipe, pretzel, sail, torus } from '../fixtures/shapes.ts';
 import { bakedGlb, normalMap, paint, plate, pngOf, texturedObj } from '../fixtures/textured.ts';
+import { pack3mf } from '../fixtures/tiny-files.ts';
 
 const turn = 2 * Math.PI;
 const waves = (u: number, v: number): number => 0.02 * Math.sin(3 * turn * u) * Math.cos(2 * turn * v);
@@ -30,6 +31,7 @@ function meshFiles(): [name: string, content: string | Uint8Array][] {
     ['pretzel.ply', plyText(pretzel(3))],
     ['sail.stl', stlBytes(sail(40))],
     ['ring.stl', stlBytes(torus(48, 24))],
+    ['egg.3mf', pack3mf({ '3D/3dmodel.model': modelText(scaled(icosphere(3), [1, 1, 2])) })],
     ['sheet.glb', bakedGlb(sheet, pngOf(normalMap(128, waves)))],
   ];
 }
