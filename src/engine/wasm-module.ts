@@ -54,7 +54,7 @@ interface WasmOptions {
 }
 
 /** The version of the C interface that these declarations are of; `wasm/bindings/whittle.h` has it too. */
-const abiVersion = 3;
+const abiVersion = 4;
 
 type WasmFactory = (options: WasmOptions) => Promise<WasmModule>;
 

@@ -119,7 +119,7 @@ export class WasmSession implements CoreSession {
   }
 
   #report(): CoreReport {
-    const numbers = new Float64Array(14);
+    const numbers = new Float64Array(15);
     this.#heap.readNumbers(numbers, (address) => this.#module._whittle_report(this.#handle, address));
     const at = (index: number): number => numbers[index]!;
     return {
@@ -131,8 +131,9 @@ export class WasmSession implements CoreSession {
       nonManifoldEdges: at(5),
       degenerateFaces: at(6),
       isolatedVertices: at(7),
-      min: [at(8), at(9), at(10)],
-      max: [at(11), at(12), at(13)],
+      farVertices: at(8),
+      min: [at(9), at(10), at(11)],
+      max: [at(12), at(13), at(14)],
     };
   }
 

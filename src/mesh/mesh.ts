@@ -84,6 +84,8 @@ export interface MeshReport {
   readonly oneSidedEdges: number;
   /** Vertices that no face uses. They stay where they are. */
   readonly isolatedVertices: number;
+  /** Vertices of parts so far away that they do not count for the unit frame and the view; see `extent.ts`. */
+  readonly farVertices: number;
   /** Places that differ from another only by rounding and count as that one. */
   readonly nearPlaces: number;
   /** Axis-aligned box of the positions that faces use, in the file's units. */

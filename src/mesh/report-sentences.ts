@@ -5,7 +5,7 @@ const count = new Intl.NumberFormat('en');
 /** Sentences about what is odd in a mesh and what the solver does with it. Holes and several parts are not odd. */
 export function oddities(report: MeshReport): string[] {
   const { isolatedVertices, degenerateFaces, duplicateFaces, nonManifoldEdges } = report;
-  const { nearPlaces, turnedFaces, oneSidedEdges } = report;
+  const { farVertices, nearPlaces, turnedFaces, oneSidedEdges } = report;
   const sentences: string[] = [];
   const say = (number: number, one: string, many: string): void => {
     if (number > 0) sentences.push(number === 1 ? `1 ${one}` : `${count.format(number)} ${many}`);
@@ -14,6 +14,11 @@ export function oddities(report: MeshReport): string[] {
     isolatedVertices,
     'vertex belongs to no face and stays where it is.',
     'vertices belong to no face and stay where they are.',
+  );
+  say(
+    farVertices,
+    'vertex lies very far from the rest; it is shaped too, but the view looks at the rest.',
+    'vertices lie very far from the rest; they are shaped too, but the view looks at the rest.',
   );
   say(
     nearPlaces,

@@ -86,7 +86,7 @@ class FakeSession implements CoreSession {
         typicalPart: positions.length / 3,
         boundaryEdges: 0,
       },
-      ...{ nonManifoldEdges: 0, degenerateFaces: 0, isolatedVertices: 0 },
+      ...{ nonManifoldEdges: 0, degenerateFaces: 0, isolatedVertices: 0, farVertices: 0 },
       ...{ min: [0, 0, 0] as const, max: [1, 1, 1] as const },
     };
   }

@@ -12,6 +12,7 @@ const sound: MeshReport = {
   degenerateFaces: 0,
   duplicateFaces: 0,
   isolatedVertices: 0,
+  farVertices: 0,
   nearPlaces: 0,
   turnedFaces: 0,
   oneSidedEdges: 0,
@@ -26,6 +27,7 @@ test('holes and several parts are no cause for a warning', () => {
 test.each([
   [{ isolatedVertices: 1 }, '1 vertex belongs to no face'],
   [{ isolatedVertices: 3 }, '3 vertices belong to no face'],
+  [{ farVertices: 3 }, '3 vertices lie very far from the rest'],
   [{ nearPlaces: 1 }, '1 place differs from another only by rounding'],
   [{ nearPlaces: 7 }, '7 places differ from others only by rounding'],
   [{ degenerateFaces: 2 }, '2 faces have no area'],

@@ -17,7 +17,7 @@ struct WhittleSession {
   }
 };
 
-int32_t whittle_abi_version() { return 3; }
+int32_t whittle_abi_version() { return 4; }
 
 WhittleSession* whittle_create() { return new WhittleSession; }
 
@@ -43,6 +43,7 @@ void whittle_report(const WhittleSession* session, double* numbers) {
                         double(r.nonManifoldEdges),
                         double(r.degenerateFaces),
                         double(r.isolatedVertices),
+                        double(r.farVertices),
                         r.min.x(),
                         r.min.y(),
                         r.min.z(),

@@ -19,7 +19,7 @@ extern "C" {
 
 typedef struct WhittleSession WhittleSession;
 
-/// The version of this interface, 3. A caller that was written for another refuses to go on.
+/// The version of this interface, 4. A caller that was written for another refuses to go on.
 WHITTLE_API int32_t whittle_abi_version(void);
 
 WHITTLE_API WhittleSession* whittle_create(void);
@@ -32,8 +32,8 @@ WHITTLE_API void whittle_destroy(WhittleSession* session);
 WHITTLE_API int whittle_load(WhittleSession* session, const double* positions, int32_t vertex_count,
                              const int32_t* triangles, int32_t face_count, const int32_t* source_vertices,
                              const int32_t* source_faces);
-/// Writes what the core says of the loaded mesh, 14 numbers: vertices, faces, components, vertices of a typical part, boundary edges, non-manifold
-/// edges, degenerate faces, isolated vertices, box min xyz, box max xyz.
+/// Writes what the core says of the loaded mesh, 15 numbers: vertices, faces, components, vertices of a typical part, boundary edges, non-manifold
+/// edges, degenerate faces, isolated vertices, far vertices, box min xyz, box max xyz.
 WHITTLE_API void whittle_report(const WhittleSession* session, double* numbers);
 
 WHITTLE_API int whittle_select(WhittleSession* session, const char* method);

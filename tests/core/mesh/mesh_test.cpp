@@ -117,6 +117,7 @@ TEST_CASE("far strays do not count for the unit frame, whatever the axis; what i
     const UnitFrame frame = UnitFrame::of(together(body, speck, far));
     CHECK(frame.scale == alone.scale);
     CHECK(frame.center == alone.center);
+    CHECK(inspect(together(body, speck, far)).farVertices == speck.vertexCount());
   }
   const TriangleMesh two = together(together(body, speck, Vec3(1e4, 0, 0)), speck, Vec3(0, 0, -1e5));
   CHECK(UnitFrame::of(two).scale == alone.scale);
@@ -126,6 +127,7 @@ TEST_CASE("far strays do not count for the unit frame, whatever the axis; what i
 
 TEST_CASE("a typical part is that of the middle vertex") {
   CHECK(inspect(sphere(3)).typicalPart == 258);
+  CHECK(inspect(sphere(3)).farVertices == 0);
   CHECK(inspect(together(sphere(3), sphere(1), Vec3(3, 0, 0))).typicalPart == 258);
   TriangleMesh many = sphere(1);
   for (int n = 1; n < 30; ++n) many = together(many, sphere(1), Vec3(3 * n, 0, 0));

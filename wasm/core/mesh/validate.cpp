@@ -8,6 +8,7 @@
 
 #include "mesh/adjacency.h"
 #include "mesh/bounding_box.h"
+#include "mesh/significant_vertices.h"
 
 namespace whittle {
 
@@ -113,6 +114,8 @@ MeshReport inspect(const TriangleMesh& mesh) {
   const EdgeCounts edges = countEdges(mesh.triangles, fans);
   report.boundaryEdges = edges.boundary;
   report.nonManifoldEdges = edges.nonManifold;
+  report.farVertices =
+      mesh.vertexCount() - report.isolatedVertices - static_cast<Index>(significantVertices(mesh).size());
   const Box box = boundingBox(mesh);
   report.min = box.min();
   report.max = box.max();

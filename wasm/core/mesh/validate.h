@@ -21,6 +21,7 @@ struct MeshReport {
   Index nonManifoldEdges = 0;  // edges with three faces or more
   Index degenerateFaces = 0;   // faces of zero area, to rounding
   Index isolatedVertices = 0;  // vertices without a face
+  Index farVertices = 0;       // vertices of faces so far away that they do not count for the unit frame
   Vec3 min = Vec3::Zero();     // box of the vertices that faces use
   Vec3 max = Vec3::Zero();
 };
