@@ -62,6 +62,20 @@ describe('the picture of a ball', () => {
     for (let at = 0; at < black.length; at += 4) if (black[at + 3] === 0) black.set([0, 0, 0, 255], at);
     expect(mapOfPixels({ ...pixels, data: black })).toEqual(mapOfPixels(pixels));
   });
+
+  it.each([
+    [64, 15],
+    [256, 8],
+  ])('does not bleed into the rim from a ground of flat blue at %i pixels', (size, worst) => {
+    const ball = pixelsOfMap(blankMap(), size);
+    const data = ball.data.slice();
+    for (let j = 0; j < size; j++)
+      for (let i = 0; i < size; i++)
+        if (Math.hypot(2 * i + 1 - size, 2 * j + 1 - size) > size)
+          data.set([128, 128, 255, 255], 4 * (j * size + i));
+    // A pixel inside the rim is so far from the rim as an angle.
+    expect(errors(blankMap(), mapOfPixels({ ...ball, data })).at(-1)).toBeLessThan(worst);
+  });
 });
 
 describe('the gallery', () => {

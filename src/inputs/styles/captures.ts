@@ -61,8 +61,9 @@ export function blankMap(): SphereMap {
  */
 export function mapOfPixels(pixels: CapturePixels): SphereMap {
   requireCapture(pixels);
+  const reach = reachOf(pixels);
   return sphereMap(([x, y, z]) => {
-    const [tx, ty, tz] = sample(pixels, x, y);
+    const [tx, ty, tz] = sample(pixels, reach, x, y);
     return [tx, ty, z < 0 ? -tz : tz];
   });
 }
@@ -103,20 +104,31 @@ function isUnit(vector: Vec3 | undefined): vector is Vec3 {
   return vector !== undefined && Math.abs(length(vector) - 1) <= unitTolerance;
 }
 
-/** Between the four pixels around a point; those that are no normals (the background) do not count. */
-function sample(pixels: CapturePixels, x: number, y: number): Vec3 {
+/**
+ * How far from the middle pixels count, as a share of the ball's radius: beyond its rim too, where there is nothing that could be
+ * taken for a normal, and not where the ground is of such a colour (the flat blue of normal maps is one).
+ */
+function reachOf(pixels: CapturePixels): number {
+  const last = pixels.width - 1;
+  const isGroundNormal = [0, last].some((i) => [0, last].some((j) => isUnit(vectorAt(pixels, i, j))));
+  return isGroundNormal ? 1 : Number.POSITIVE_INFINITY;
+}
+
+/** Between the four pixels around a point; those that are no normals (the background) or out of reach do not count. */
+function sample(pixels: CapturePixels, reach: number, x: number, y: number): Vec3 {
   const size = pixels.width;
   const u = ((x + 1) * size) / 2 - 0.5;
   const v = ((1 - y) * size) / 2 - 0.5;
   let sum: Vec3 = [0, 0, 0];
   for (const [i, j] of around(u, v)) {
-    const vector = i >= 0 && j >= 0 && i < size && j < size ? vectorAt(pixels, i, j) : undefined;
+    const isThere = i >= 0 && j >= 0 && i < size && j < size && Math.hypot(...place(i, j, size)) <= reach;
+    const vector = isThere ? vectorAt(pixels, i, j) : undefined;
     const share = (1 - Math.abs(u - i)) * (1 - Math.abs(v - j));
     if (isUnit(vector)) sum = add(sum, scale(vector, share));
   }
   if (length(sum) > 1e-6) return unit(sum);
   // A hole: a little nearer to the middle there is something.
-  return Math.hypot(x, y) < 1 / size ? [0, 0, 1] : sample(pixels, x * 0.98, y * 0.98);
+  return Math.hypot(x, y) < 1 / size ? [0, 0, 1] : sample(pixels, reach, x * 0.98, y * 0.98);
 }
 
 function around(u: number, v: number): [number, number][] {

@@ -26,9 +26,6 @@ const corners: readonly (readonly [id: string, name: string, corners: () => read
   ['octahedron', 'Octahedron', () => solids.octahedron],
   ['dodecahedron', 'Dodecahedron', () => solids.dodecahedron],
   ['icosahedron', 'Icosahedron', () => solids.icosahedron],
-  ['truncated-tetrahedron', 'Truncated tetrahedron', () => solids.truncated(solids.tetrahedron, 1 / 3)],
-  // Cut so that the octagons are regular; the others become regular at a third.
-  ['truncated-cube', 'Truncated cube', () => solids.truncated(solids.cube, 1 - Math.SQRT1_2)],
   ['truncated-octahedron', 'Truncated octahedron', () => solids.truncated(solids.octahedron, 1 / 3)],
   ['truncated-icosahedron', 'Truncated icosahedron', () => solids.truncated(solids.icosahedron, 1 / 3)],
   ['triangular-prism', 'Triangular prism', () => solids.prism(3, 2)],
@@ -42,13 +39,20 @@ const corners: readonly (readonly [id: string, name: string, corners: () => read
   ['cylinder', 'Cylinder', () => solids.prism(roundSides, 2)],
 ];
 
-/** The names by which a primitive can be asked for, in the order of a gallery. */
+/** Other names of a primitive: solids that have its face directions, so that as styles they are the same. */
+const sameNormals: Readonly<Record<string, string>> = {
+  'truncated-tetrahedron': 'octahedron',
+  'truncated-cube': 'truncated-octahedron',
+};
+
+/** The names of primitives, in the order of a gallery; no two of them have the same normals. */
 export const primitiveIds: readonly string[] = corners.map(([id]) => id);
 
 const made = new Map<string, Primitive>();
 
-/** The primitive of that name, made at the first asking; undefined if there is none. */
-export function findPrimitive(id: string): Primitive | undefined {
+/** The primitive of that name, or with the normals of that solid, made at the first asking; undefined if there is none. */
+export function findPrimitive(name: string): Primitive | undefined {
+  const id = Object.hasOwn(sameNormals, name) ? sameNormals[name]! : name;
   const line = corners.find((candidate) => candidate[0] === id);
   if (!line) return undefined;
   if (!made.has(id)) {

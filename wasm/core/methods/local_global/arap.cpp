@@ -7,7 +7,7 @@ namespace whittle {
 
 std::vector<std::string> ArapLocalStep::warnings(const ArapParameters& values) {
   if (!values.handles.vertices.empty()) return {};
-  return {"Without handles nothing moves: hold some vertices and drag others."};
+  return {"Nothing is held, so nothing moves: arap needs handles; hold some vertices and drag others."};
 }
 
 Lanes ArapLocalStep::fit(std::size_t, const MatrixLanes& covariances, bool, QuaternionLanes& rotations) {

@@ -118,6 +118,7 @@ void LocalGlobal::begin(Points& positions) {
   for (auto* rotations : {&guess_, &rotations_}) std::fill(rotations->begin(), rotations->end(), identityRotations());
   applyHandles(handles_, positions);
   displacements_.measure(positions, rest_->mesh.positions);
+  best_.begin(localStep_.keepsBest(), positions);
 }
 
 Status LocalGlobal::step(Points& positions, StepReport& report) {
@@ -140,6 +141,7 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
   if (report.energy > energy_ + kRounding * (std::abs(energy_) + sizeOfTerms_))
     report.energy = localStep(displacements_, Guess::bound);
   energy_ = report.energy;
+  best_.offer(positions, report.energy);
   std::swap(previous_, displacements_);
   report.change = std::isfinite(report.energy) ? globalStep(positions) : std::numeric_limits<double>::quiet_NaN();
   if (!std::isfinite(report.change)) {
@@ -148,6 +150,8 @@ Status LocalGlobal::step(Points& positions, StepReport& report) {
                            "the iteration lost its numbers; the mesh may hold faces too thin to compute with");
   }
   report.outcome = stopping_.judge(report);
+  if (report.outcome != Outcome::running && best_.take(positions))
+    displacements_.measure(positions, rest_->mesh.positions);
   return {};
 }
 
@@ -216,6 +220,14 @@ double LocalGlobal::globalStep(Points& positions) {
   applyHandles(handles_, positions);  // to the bit
   const auto largest = [](Lanes v) { return std::max({v[0], v[1], v[2], v[3]}); };
   return StoppingRule::relativeDisplacement(largest(move), largest(displacement));
+}
+
+std::vector<std::string> LocalGlobal::warnings() const {
+  if (!best_.wasTaken()) return {};
+  return {
+      "The targets that follow the output came to fit it worse than at the beginning, so the best shape on the way was "
+      "kept, that of iteration " +
+      std::to_string(best_.iteration()) + "; without dynamicTargets the fit only improves."};
 }
 
 std::vector<Field> LocalGlobal::fields() const {

@@ -10,6 +10,7 @@
 #include "constraints/gauge.h"
 #include "linear/constrained_quadratic.h"
 #include "methods/local_global/acceleration.h"
+#include "methods/local_global/best_iterate.h"
 #include "methods/local_global/free_scales.h"
 #include "methods/local_global/local_step.h"
 #include "methods/local_global/rigidity.h"
@@ -46,6 +47,8 @@ class LocalGlobal {
   void begin(Points& positions);
   Status step(Points& positions, StepReport& report);
   std::vector<Field> fields() const;
+  /// What a person should know of the run so far.
+  std::vector<std::string> warnings() const;
 
  private:
   void measure(const TriangleMesh& rest);
@@ -104,6 +107,7 @@ class LocalGlobal {
   Displacements previous_;                    // of the iterate before
   Acceleration acceleration_;
   double energy_ = 0;  // of the point that the last iteration started from
+  BestIterate best_;
 };
 
 }  // namespace whittle

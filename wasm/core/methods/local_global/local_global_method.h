@@ -34,7 +34,11 @@ class LocalGlobalMethod final : public MethodOf<typename Step::Parameters> {
   }
   void begin(Points& positions) override { engine_.begin(positions); }
   Status step(Points& positions, StepReport& report) override { return engine_.step(positions, report); }
-  std::vector<std::string> warnings(const Parameters& values) const override { return Step::warnings(values); }
+  std::vector<std::string> warnings(const Parameters& values) const override {
+    std::vector<std::string> all = Step::warnings(values);
+    for (std::string& warning : engine_.warnings()) all.push_back(std::move(warning));
+    return all;
+  }
   std::vector<Field> fields() const override { return engine_.fields(); }
 
  private:

@@ -29,6 +29,9 @@ class LocalStep {
   /// iteration's energy says nothing about another's: iterations are plain ones, without acceleration and without
   /// rejections.
   virtual bool followsOutput() const { return false; }
+  /// Whether a run that ends above the energy which it began with is to give its best iterate instead; for energies that
+  /// are meant to fall all the same.
+  virtual bool keepsBest() const { return false; }
   /// Looks at the positions to which the next rotations are fitted. Allocates nothing.
   virtual void observe(const Points&) {}
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/surface.h"
@@ -185,6 +186,36 @@ TEST_CASE("targets that follow the output are other targets") {
     CHECK(dynamic.positions.allFinite());
     CHECK(angleToStyle(dynamic.positions, mesh.triangles, style) < angleToStyle(mesh.positions, mesh.triangles, style));
   }
+}
+
+TEST_CASE("where targets that follow the output end worse than they began, the best shape is kept, and it is said") {
+  TriangleMesh mesh = sphere(4);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Eigen::RowVector3d p = mesh.positions.row(v);
+    mesh.positions.row(v) *= 1 + 0.25 * std::sin(5 * p.x()) * std::cos(4 * p.y() + 3 * p.z());
+  }
+  Analogy analogy{sphereStyle(4), 1, kArap, true};
+  for (Index v = 0; v < analogy.style.normals.rows(); ++v) {
+    const Eigen::RowVector3d p = analogy.style.points.row(v);
+    analogy.style.normals.row(v) +=
+        0.6 * Eigen::RowVector3d(std::sin(9 * p.z()), std::cos(9 * p.x()), std::sin(9 * p.y()));
+  }
+  Session session;
+  REQUIRE(session.load(mesh).ok());
+  prepareAnalogy(session, analogy);
+  const Run kept = finish(session);
+  REQUIRE(kept.energies.back() > kept.energies.front());
+  REQUIRE(session.warnings().size() == 1);
+  // The energy before an iteration is that of the shape which the one before left.
+  const auto best = std::min_element(kept.energies.begin() + 1, kept.energies.end());
+  analogy.maxIterations = static_cast<int>(best - kept.energies.begin());
+  CHECK(session.warnings()[0].find("iteration " + std::to_string(analogy.maxIterations)) != std::string::npos);
+  CHECK(run(mesh, analogy).positions == kept.positions);
+
+  analogy.isDynamic = false;
+  prepareAnalogy(session, analogy);
+  finish(session);
+  CHECK(session.warnings().empty());
 }
 
 TEST_CASE("handles are met and lambda acts where it is") {

@@ -36,6 +36,7 @@ class AnalogyLocalStep : public TargetedLocalStep {
 
   void prepare(const RestShape& rest, const AnalogyParameters& values);
   bool followsOutput() const override { return isDynamic_; }
+  bool keepsBest() const override { return isDynamic_; }
   void observe(const Points& positions) override;
 
  private:
