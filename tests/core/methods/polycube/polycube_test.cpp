@@ -135,6 +135,19 @@ TEST_CASE("sides that lie between two directions stay flat, whatever rounding sa
   CHECK(volumeInside(positions, mesh.triangles) > 0.85);
 }
 
+TEST_CASE("triangles that look another way than their surroundings pull nothing out of them") {
+  TriangleMesh mesh = sphere(4);
+  Noise noise;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Eigen::RowVector3d p = mesh.positions.row(v);
+    mesh.positions.row(v) *= 1 + 0.15 * std::sin(4 * p.x()) * std::cos(3 * p.y() + 1);
+    for (int axis = 0; axis < 3; ++axis) mesh.positions(v, axis) += 0.03 * noise();  // a quarter of an edge
+  }
+  const Points positions = carve(mesh, {}).positions;
+  CHECK(angleToStyle(positions, mesh.triangles, GaussMap(cubeStyle())) < 0.3);  // 1.5 by their own normals alone
+  CHECK(foldCount(positions, mesh.triangles) == 0);
+}
+
 TEST_CASE("each part keeps its centre, and what has no normal its place") {
   const TriangleMesh one = animal(3), two = torus(16);
   TriangleMesh mesh = together(one, two, {4, 0, 0});

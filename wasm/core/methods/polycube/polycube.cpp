@@ -61,6 +61,9 @@ void PolyCube::measure(const TriangleMesh& rest) {
   ringSmoothing_.prepare(rest.positions, rest.triangles);
   moves_.resize(rest.vertexCount(), 3);
   displacements_.resize(rest.vertexCount(), 3);
+  fans_ = smoothFans(rest.positions, rest.triangles);
+  fanNormals_.resize(fans_.count(), 3);
+  fanAreas_.resize(fans_.count());
   previous_ = rest.positions;
 }
 
@@ -128,6 +131,7 @@ Status PolyCube::step(Points& positions, StepReport& report) {
 double PolyCube::rotateFaces(const Points& positions) {
   const Triangles& triangles = rest_->triangles;
   halfCotangents(positions, triangles, halfCotangents_);
+  fanNormals(positions, triangles, fans_, fanNormals_, fanAreas_);
   moves_.setZero();
   double energy = 0;
   for (Index f = 0; f < triangles.rows(); ++f) {
@@ -135,7 +139,7 @@ double PolyCube::rotateFaces(const Points& positions) {
     const Vec3 edges[] = {corner(2) - corner(1), corner(0) - corner(2), corner(1) - corner(0)};
     const Vec3 vector = edges[0].cross(edges[1]), n = vector.stableNormalized();
     if (n.isZero(0)) continue;
-    const Vec3 t = (*values_.directions)(n);
+    const Vec3 t = (*values_.directions)(aroundFace(f, n));
     const Mat3 rotationChange = rotationChangeToward(n, t, values_.lambda);
     for (int k = 0; k < 3; ++k) {
       const Vec3 force = halfCotangents_(f, k) * (rotationChange * edges[k]);
@@ -148,6 +152,13 @@ double PolyCube::rotateFaces(const Points& positions) {
   if (attachments_.empty()) return energy;
   displacements_ = positions - rest_->positions;
   return energy + attachments_.addForces(displacements_, moves_);
+}
+
+Vec3 PolyCube::aroundFace(Index f, const Vec3& n) const {
+  Vec3 sum = n;
+  const Triangles& places = fans_.areVertices() ? rest_->triangles : fans_.ofCorner;
+  for (int k = 0; k < 3; ++k) sum += fanNormals_.row(places(f, k)).transpose();
+  return sum.isZero(0) ? n : sum;
 }
 
 Status PolyCube::globalStep(Points& positions) {

@@ -6,6 +6,7 @@
 #include "constraints/contact_search.h"
 #include "constraints/gauge.h"
 #include "geometry/cotangent.h"
+#include "geometry/smooth_fans.h"
 #include "linear/sparse_cholesky.h"
 #include "methods/method.h"
 #include "methods/parts.h"
@@ -29,9 +30,10 @@ struct PolyCubeParameters {
 ///
 ///     min over R, u of Σ_f Σ_{e∈f} c_e |R_f d_e − u_e|² + λ a_f |R_f n_f − t_f|²  (FARAP, Eq. 4)
 ///
-/// with edges d, cotangents, normals, areas and targets t_f of the present shape. There the local step has a closed
-/// form; the global one factors the present Laplacian on the pattern of the input's. Parts that touch are tied by
-/// `Attachments`, which pull towards the distances that the input has. Each part, or tied group, keeps its centre.
+/// with edges d, cotangents, normals, areas and targets t_f of the present shape, t_f the closest direction to what the
+/// normals of a face and of its corners say together. There the local step has a closed form; the global one factors the
+/// present Laplacian on the pattern of the input's. Parts that touch are tied by `Attachments`, which pull towards the
+/// distances that the input has. Each part, or tied group, keeps its centre.
 /// Normals soon lie right and the shape still drifts, so the number of iterations says when to stop.
 class PolyCube : public MethodOf<PolyCubeParameters> {
  public:
@@ -51,6 +53,9 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
   /// Turns every face as far to its target as its edges let it: collects what that asks of the vertices; returns the
   /// energy.
   double rotateFaces(const Points& positions);
+  /// What of a face with normal n is looked up among the directions: n and the normals of its corners' smooth fans together. One that
+  /// looks another way than all around it would pull a tab or a notch out of them that no iteration takes back.
+  Vec3 aroundFace(Index f, const Vec3& n) const;
   /// Moves the vertices to the minimum for these rotations.
   Status globalStep(Points& positions);
   double relativeDisplacement(const Points& positions) const;
@@ -72,10 +77,13 @@ class PolyCube : public MethodOf<PolyCubeParameters> {
   std::optional<LaplacianPattern> laplacian_;
   SparseCholesky cholesky_;
   RingSmoothing ringSmoothing_;
+  SmoothFans fans_;
 
   // What the present shape says
   CornerScalars halfCotangents_;
-  Points moves_;  // #V×3: what the rotations ask for, then by how much the vertices move
+  Points moves_;       // #V×3: what the rotations ask for, then by how much the vertices move
+  Points fanNormals_;  // #fans×3
+  Scalars fanAreas_;   // #fans, scratch
   Points previous_;
   Points displacements_;  // from rest
 };
