@@ -207,7 +207,7 @@ TEST_CASE("what ends folded is refused, and the positions are those before") {
 TEST_CASE("meshes of few faces become balls, as finer ones of the same shape would") {
   for (const TriangleMesh& mesh : {blocks({{0, 0, 0}}, 1), blocks({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 1), longBox(8, 1),
                                    prism(5, 0), prism(16, 0), sphere(0)}) {
-    const Flow result = flow(mesh);
+    const Run result = flow(mesh);
     CHECK(result.outcome == Outcome::converged);
     const Vec3 center = centroid(mesh.positions, mesh.triangles);
     const double radius = std::sqrt(faceAreas(mesh.positions, mesh.triangles).sum() / (4 * EIGEN_PI));
