@@ -216,12 +216,19 @@ function isPacked(
   rows: number,
   hasTwo: (numbers: readonly number[]) => boolean,
 ): boolean {
+  if (linesFrom(here, rows) === rows) return false;
   const scanner = new TextScanner(here.bytes, here.name, here.at);
-  let found = false;
+  for (let line = 0; line < first && scanner.peek() >= 0; line++, scanner.nextLine())
+    if (hasTwo(numbersOfLine(scanner))) return true;
+  return false;
+}
+
+/** Lines with something on them, from here to the end, but not more than there need to be. */
+function linesFrom({ bytes, name, at }: TextScanner, most: number): number {
+  const scanner = new TextScanner(bytes, name, at);
   let lines = 0;
-  for (; lines < rows && scanner.peek() >= 0; lines++, scanner.nextLine())
-    if (lines < first && !found) found = hasTwo(numbersOfLine(scanner));
-  return lines < rows && found;
+  for (; lines < most && scanner.peek() >= 0; scanner.nextLine()) lines++;
+  return lines;
 }
 
 /** Whether the numbers behind a face are a face again, and not its colour. */

@@ -2,7 +2,7 @@ import { viewOf } from '../bytes.ts';
 import { fitsFloat32, unfitPosition } from '../fit.ts';
 import { newNormals } from '../normals.ts';
 import { hasMoved, normalTexts, positionTexts, TextPatch } from '../text-patch.ts';
-import type { NumberKind, PlyProperty } from './header.ts';
+import type { PlyProperty } from './header.ts';
 import { PlyRows } from './rows.ts';
 import { type PlyFile, plyNormal, plyPosition } from './scan.ts';
 import { widenedPly } from './widen.ts';
@@ -93,28 +93,18 @@ function patchBinary(all: Patch): Uint8Array<ArrayBuffer> {
     order.map((slot) => columns[slot]),
   );
   for (let p = 0; p < rowOffsets.length; p++) {
+    const turned = normals !== undefined && !Number.isNaN(normals[3 * p]);
+    if (!turned && !hasMoved(before.positions, positions, p)) continue;
     const places = rows.bytes(source, rowOffsets[p], little);
     for (let i = 0; i < order.length; i++) {
       const slot = order[i];
       const at = 3 * p + (slot % 3);
       const value = slot < 3 ? positions[at] : normals![at];
-      const isNew = slot < 3 ? value !== before.positions[at] : !Number.isNaN(value);
-      if (isNew)
-        setNumber(view, places[i], slotKinds[slot], value, little, () => unfitPosition(name, p, value));
+      if (slot < 3 ? value === before.positions[at] : !turned) continue;
+      if (slotKinds[slot] === 'float64') view.setFloat64(places[i], value, little);
+      else if (fitsFloat32(value)) view.setFloat32(places[i], value, little);
+      else throw unfitPosition(name, p, value);
     }
   }
   return result;
-}
-
-function setNumber(
-  view: DataView,
-  at: number,
-  kind: NumberKind,
-  value: number,
-  little: boolean,
-  unfit: () => Error,
-): void {
-  if (kind === 'float64') view.setFloat64(at, value, little);
-  else if (fitsFloat32(value)) view.setFloat32(at, value, little);
-  else throw unfit();
 }

@@ -8,14 +8,17 @@ export class PlyRows {
   readonly #properties: readonly PlyProperty[];
   readonly #columns: readonly number[];
   readonly #hasLists: boolean;
-  /** Where the columns are, of the row before; for all rows if there are no lists. */
+  /** Where the columns are, of the row before. */
   readonly #places: number[] = [];
+  /** Bytes from the beginning of each row to the columns, where there are no lists. */
+  readonly #fixed: readonly number[];
 
   /** @param columns indices of the properties that are asked for, rising */
   constructor(properties: readonly PlyProperty[], columns: readonly number[]) {
     this.#properties = properties.slice(0, columns.at(-1)! + 1);
     this.#columns = columns;
     this.#hasLists = this.#properties.some(({ countKind }) => countKind !== undefined);
+    this.#fixed = [...this.#walk(0, (at, { kind }) => at + kindSize[kind])];
   }
 
   /** Byte offsets of the columns in the row of a binary file that begins at `offset`. The result is used again. */
@@ -27,8 +30,8 @@ export class PlyRows {
         return at + kindSize[countKind] + getNumber(view, at, countKind, little) * kindSize[kind];
       });
     }
-    if (this.#places.length === 0) this.#walk(0, (at, { kind }) => at + kindSize[kind]);
-    return this.#places.map((place) => offset + place);
+    for (let i = 0; i < this.#fixed.length; i++) this.#places[i] = offset + this.#fixed[i];
+    return this.#places;
   }
 
   /** Which words of the row of a text file that begins at `offset` the columns are. The result is used again. */

@@ -72,7 +72,7 @@ class StlTextScan {
     else if (word === 'solid' || word === 'endsolid') {
       this.#insideSolid = word === 'solid';
       scanner.nextLine();
-    } else if (!['outer', 'loop', 'outerloop', 'endloop'].includes(word)) {
+    } else if (word !== 'outer' && word !== 'loop' && word !== 'endloop' && word !== 'outerloop') {
       scanner.at = start;
       throw this.#malformed(start, `there is ${quote(scanner.word())} where STL has a facet or a vertex`);
     }
@@ -82,9 +82,11 @@ class StlTextScan {
   #keyword(): string {
     const scanner = this.#scanner;
     let word = scanner.word().toLowerCase();
+    if (word === 'vertex') return word; // most of them are
     if (word === 'end' && scanner.peekInLine() !== lf) word += scanner.word().toLowerCase();
     // A name may be glued to it, as in "solid_1".
-    return /^(end)?solid/.exec(word)?.[0] ?? word;
+    if (word.startsWith('solid')) return 'solid';
+    return word.startsWith('endsolid') ? 'endsolid' : word;
   }
 
   #facet(start: number): void {
