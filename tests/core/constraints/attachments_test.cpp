@@ -159,7 +159,7 @@ TEST_CASE("planks that lie across each other touch where their edges cross") {
   TriangleMesh across = plank;
   for (Index v = 0; v < plank.vertexCount(); ++v)
     across.positions.row(v) << -plank.positions(v, 1), plank.positions(v, 0), plank.positions(v, 2);
-  TriangleMesh mesh = together(plank, across, Vec3(4.55, -3.6, 1));
+  TriangleMesh mesh = together(plank, across, Vec3(7.35, -3.6, 1));  // at the end of the lower one
   mesh.positions /= 8;
   const std::vector<Attachment> rows = contactsOf(mesh);
   CHECK(rows.size() >= 4);
@@ -173,7 +173,7 @@ TEST_CASE("parts that share no more than a vertex are parts, and touch") {
   TriangleMesh mesh = together(box, turned(box, 30), Vec3(0.5, 0.5, 1));
   mesh.positions /= 3;
   // The lower one's vertex under the corner at which the upper one was turned takes that corner's place.
-  const auto place = Eigen::RowVector3d(0.5, 0.5, 1) / 3;
+  const Eigen::RowVector3d place = Eigen::RowVector3d(0.5, 0.5, 1) / 3;
   std::vector<Index> there;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
     if ((mesh.positions.row(v) - place).norm() < 1e-9) there.push_back(v);
