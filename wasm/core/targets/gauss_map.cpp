@@ -26,19 +26,8 @@ Status refused(const std::string& what, Element element = {}) {
   return Status::failure(Code::badParameter, "the style's Gauss map " + what, element);
 }
 
-/// A turn by 1e-3 radians about an axis that is no symmetry's, at home in the style: it turns when the style does.
-Mat3 tieTurn(const Points& directions) {
-  const Vec3 first = directions.row(0).transpose();
-  Vec3 second = first.unitOrthogonal();
-  for (Index i = 1; i < directions.rows(); ++i) {
-    const Vec3 across = directions.row(i).transpose() - directions.row(i).dot(first) * first;
-    if (across.norm() < 0.3) continue;
-    second = across.normalized();
-    break;
-  }
-  const Vec3 axis = 0.31 * first + 0.52 * second + 0.83 * first.cross(second);
-  return Eigen::AngleAxisd(1e-3, axis.normalized()).toRotationMatrix();
-}
+/// The turn that decides ties: by 1e-3 radians, about an axis that is no symmetry's.
+const Mat3 kTieTurn = Eigen::AngleAxisd(1e-3, Vec3(0.31, 0.52, 0.83).normalized()).toRotationMatrix();
 
 /// So many cells that each holds a few of so many items.
 int gridSide(Index items) { return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(items) / 2)), 4, 48); }
@@ -67,8 +56,7 @@ Status validateGaussMap(const GaussMapData& data) {
 }
 
 GaussMap::GaussMap(GaussMapData data)
-    : data_(std::move(data)), normals_(unitRows(data_.normals)), points_(unitRows(data_.points)),
-      tieTurn_(tieTurn(data_.kind == GaussMapData::Kind::closest ? normals_ : points_)) {
+    : data_(std::move(data)), normals_(unitRows(data_.normals)), points_(unitRows(data_.points)) {
   if (data_.kind == GaussMapData::Kind::closest) {
     collectClosest();
   } else {
@@ -161,8 +149,8 @@ Index GaussMap::closest(const Vec3& n) const {
 Vec3 GaussMap::operator()(const Vec3& n) const {
   if (n.isZero(0)) return Vec3::Zero();
   Vec3 weights;
-  if (data_.kind == GaussMapData::Kind::closest) return normals_.row(closest(tieTurn_ * n)).transpose();
-  if (data_.kind == GaussMapData::Kind::perFace) return normals_.row(locate(tieTurn_ * n, weights)).transpose();
+  if (data_.kind == GaussMapData::Kind::closest) return normals_.row(closest(kTieTurn * n)).transpose();
+  if (data_.kind == GaussMapData::Kind::perFace) return normals_.row(locate(kTieTurn * n, weights)).transpose();
   const Index f = locate(n, weights);
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < 3; ++k) sum += weights[k] * normals_.row(data_.triangles(f, k)).transpose();

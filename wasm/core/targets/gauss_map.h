@@ -48,7 +48,6 @@ class GaussMap {
 
   GaussMapData data_;
   Points normals_, points_;  // of unit length
-  Mat3 tieTurn_;
   DirectionGrid grid_;
   std::vector<Mat3> planes_;  // #F: rows p_j × p_k, so that planes n are the weights of n up to a factor
 };

