@@ -71,7 +71,9 @@ TEST_CASE("where a surface has its other side up, its normal turns over and the 
   CHECK(countWith(2, fansOf(moebiusStrip(30))) == 4);
 }
 
-TEST_CASE("fans whose faces meet nowhere are apart unless they look one way, and an edge of three faces joins what bends little") {
+TEST_CASE(
+    "fans whose faces meet nowhere are apart unless they look one way, and an edge of three faces joins what bends "
+    "little") {
   TriangleMesh tips{Points(5, 3), Triangles(2, 3)};  // two triangles that share a tip
   tips.positions << 0, 0, 0, 1, 0, 0, 1, 1, 0, -1, 0, 0, -1, -1, 0;
   tips.triangles << 0, 1, 2, 0, 3, 4;
