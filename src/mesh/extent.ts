@@ -83,7 +83,7 @@ function withoutStrays(faces: Faces, { min, max }: Extent): Faces {
   return faces;
 }
 
-/** Whether a few thousand of the faces alone cover so much of the longest axis that no gap can be far. */
+/** Whether one of a few thousand faces, or all of these, cover so much of the longest axis that no gap can be far. */
 function isWellCovered(
   { positions, triangles, list }: Faces,
   axis: number,
@@ -95,11 +95,14 @@ function isWellCovered(
   let count = 0;
   const stride = Math.ceil(list.length / 8192);
   for (let i = 0; i < list.length; i += stride) {
-    const bin = binOf(positions[3 * triangles[3 * list[i]!]! + axis]!, low, size);
-    if (isCovered[bin] === 0) count++;
+    const [a, b] = [0, 1].map((k) => positions[3 * triangles[3 * list[i]! + k]! + axis]!) as [number, number];
+    if (farGap * Math.abs(b - a) > size * bins) return true;
+    const bin = binOf(a, low, size);
+    if (isCovered[bin] === 1) continue;
     isCovered[bin] = 1;
+    if (farGap * ++count > bins) return true;
   }
-  return farGap * count > bins;
+  return false;
 }
 
 const binOf = (x: number, low: number, size: number): number =>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "mesh/bounding_box.h"
@@ -32,16 +33,23 @@ struct Faces {
   }
 };
 
-/// Whether a few thousand of the faces alone cover so much of the longest axis that no gap can be far.
+/// Whether one of a few thousand faces, or all of these, cover so much of the longest axis that no gap can be far.
 bool isWellCovered(const Faces& faces) {
   int longest = 0;
   faces.box.sizes().maxCoeff(&longest);
   if (!(faces.binSize(longest) > 0)) return true;
   std::vector<bool> isCovered(kBins, false);
   const std::size_t stride = (faces.list.size() + 8191) / 8192;
-  for (std::size_t i = 0; i < faces.list.size(); i += stride)
-    isCovered[faces.binOf(faces.corner(faces.list[i], 0)[longest], longest)] = true;
-  return kFarGap * static_cast<double>(std::count(isCovered.begin(), isCovered.end(), true)) > kBins;
+  double count = 0;
+  for (std::size_t i = 0; i < faces.list.size(); i += stride) {
+    const double a = faces.corner(faces.list[i], 0)[longest], b = faces.corner(faces.list[i], 1)[longest];
+    if (kFarGap * std::abs(b - a) > faces.box.sizes()[longest]) return true;
+    const Index bin = faces.binOf(a, longest);
+    if (isCovered[bin]) continue;
+    isCovered[bin] = true;
+    if (kFarGap * ++count > kBins) return true;
+  }
+  return false;
 }
 
 /// How many faces lie over each bin of an axis.
