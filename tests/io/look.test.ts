@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { writePng } from '../../src/inputs/images/png.ts';
 import { type FilesBeside, type Format, readMesh, referencesOf, writeMesh } from '../../src/io/index.ts';
 import {
   type AnyJson,
@@ -211,11 +212,28 @@ describe('a glTF with its data beside it', () => {
     const { mesh, warnings } = readMesh(source, 'a.gltf', files);
     expect(warnings).toEqual([expect.stringMatching(/data.*beside it \(cube\.bin\).*has it inside/)]);
     expect(mesh).toEqual(readMesh(packGltf(gltfJson()), 'a').mesh);
-    expect(writeMesh(source, 'a', 'gltf', mesh.positions, files).bytes).toEqual(source);
+    // Where nothing moved as well: the result may go where the .bin is not.
+    expect(readMesh(writeMesh(source, 'a', 'gltf', mesh.positions, files).bytes, 'b').mesh).toEqual(mesh);
     const moved = mesh.positions.map((value) => value / 2);
     const { bytes } = writeMesh(source, 'a', 'gltf', moved, files);
     expect(readMesh(bytes, 'b').mesh.positions).toEqual(moved);
     expect(files.get('cube.bin')).toEqual(gltfBuffer());
+  });
+
+  it('takes in the images that are there and known, and says which stay outside', () => {
+    const images = [{ uri: 'wood.png' }, { uri: 'textures/bark.ktx2' }, { uri: 'gone.jpg' }];
+    const textured = ascii(JSON.stringify({ ...json, images }));
+    const png = writePng({ width: 1, height: 1, data: Uint8Array.of(1, 2, 3, 255) });
+    const beside = new Map([...files, ['wood.png', png], ['textures/bark.ktx2', Uint8Array.of(1)]]);
+    const { mesh, warnings } = readMesh(textured, 'a.gltf', beside);
+    expect(warnings).toEqual([
+      expect.stringMatching(/\(cube\.bin, wood\.png\)/),
+      expect.stringMatching(/beside it: textures\/bark\.ktx2, gone\.jpg\.$/),
+    ]);
+    const { bytes } = writeMesh(textured, 'a', 'gltf', mesh.positions, beside);
+    const after = JSON.parse(new TextDecoder().decode(bytes)).images;
+    expect(Buffer.from(after[0].uri.split(',')[1], 'base64').equals(png)).toBe(true);
+    expect(after.slice(1)).toEqual(images.slice(1));
   });
 
   it('is refused without it', () => {

@@ -2,6 +2,7 @@ import { ByteWriter } from '../byte-writer.ts';
 import { concatenate, encodeUtf8, viewOf } from '../bytes.ts';
 import { encodeBase64 } from './base64.ts';
 import { GltfDocument } from './document.ts';
+import { imageInside } from './images.ts';
 import { elementSpans, memberSpan, type Span, valueSpan } from './json-spans.ts';
 
 interface Replacement {
@@ -78,8 +79,10 @@ export class GltfAssembly {
     if (span) this.#replacements.push({ span, text: JSON.stringify(value) });
   }
 
+  /** The copy. What its source has in files beside it comes inside, since the copy may go elsewhere. */
   finish(): Uint8Array<ArrayBuffer> {
-    if (!this.isTouched) return this.#result;
+    const elsewhere = this.document.elsewhere();
+    if (!this.isTouched && elsewhere.length === 0) return this.#result;
     for (const [key, texts] of this.#newElements) {
       const end = memberSpan(this.#result, this.#root, key)![1] - 1;
       this.#replacements.push({ span: [end, end], text: texts.map((text) => `,${text}`).join('') });
@@ -88,9 +91,14 @@ export class GltfAssembly {
       const length = this.#lengthOf(buffer) + this.#tail(buffer).length;
       this.replaceMember('buffers', buffer, 'byteLength', length);
     }
-    for (const buffer of new Set([...this.#views.keys(), ...this.#appended.keys()])) {
+    const outside = elsewhere.flatMap(({ key, index }) => (key === 'buffers' ? [index] : []));
+    for (const buffer of new Set([...this.#views.keys(), ...this.#appended.keys(), ...outside])) {
       if (this.#isChunk(buffer)) continue;
       this.replaceMember('buffers', buffer, 'uri', this.#newUri(buffer));
+    }
+    for (const { key, index, path } of elsewhere) {
+      const image = key === 'images' ? imageInside(this.document, path) : undefined;
+      if (image) this.replaceMember('images', index, 'uri', image);
     }
     const json = this.#newJson();
     return this.#isGlb ? this.#glb(json) : concatenate([this.#result.subarray(0, this.#jsonSpan[0]), json]);

@@ -17,6 +17,13 @@ interface Layout {
   readonly bin?: readonly [number, number];
 }
 
+/** A buffer or an image that is in a file beside this one. */
+export interface Elsewhere {
+  readonly key: 'buffers' | 'images';
+  readonly index: number;
+  readonly path: string;
+}
+
 /** A glTF asset: its JSON, its buffers, and sentences for what is wrong with either. */
 export class GltfDocument {
   readonly bytes: Uint8Array;
@@ -159,15 +166,19 @@ export class GltfDocument {
     }
   }
 
-  /** Files that buffers and images are in, beside this one. */
-  references(): Reference[] {
-    return ['buffers', 'images'].flatMap((key) =>
-      this.list(this.root, key).flatMap((element) => {
+  /** Buffers and images that are in files beside this one. */
+  elsewhere(): Elsewhere[] {
+    return (['buffers', 'images'] as const).flatMap((key) =>
+      this.list(this.root, key).flatMap((element, index) => {
         const { uri } = this.record(element, key);
         const isElsewhere = typeof uri === 'string' && !/^[a-z][a-z0-9+.-]*:/i.test(uri);
-        return isElsewhere ? [{ path: this.pathOf(uri), isShape: key === 'buffers' }] : [];
+        return isElsewhere ? [{ key, index, path: this.pathOf(uri) }] : [];
       }),
     );
+  }
+
+  references(): Reference[] {
+    return this.elsewhere().map(({ key, path }) => ({ path, isShape: key === 'buffers' }));
   }
 
   #parse(): unknown {

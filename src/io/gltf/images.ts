@@ -1,4 +1,5 @@
-import { decodeBase64 } from './base64.ts';
+import { imageType } from '../look/look.ts';
+import { decodeBase64, encodeBase64 } from './base64.ts';
 import type { GltfDocument, Json } from './document.ts';
 
 /** An image of a glTF file. */
@@ -18,6 +19,13 @@ export function imageOf(document: GltfDocument, index: unknown): GltfImage {
     name: isNamed ? name : (path ?? ''),
     bytes: typeof uri === 'string' ? bytesOfUri(document, uri, path) : bytesOfView(document, bufferView),
   };
+}
+
+/** The data URI of an image that is beside the file; undefined where it is not there or of a kind that is not known. */
+export function imageInside(document: GltfDocument, path: string): string | undefined {
+  const bytes = document.beside(path);
+  const type = bytes && imageType(bytes);
+  return type && `data:${type};base64,${encodeBase64(bytes)}`;
 }
 
 /** The image that a texture shows, by its index. */

@@ -4,7 +4,8 @@ import { none, type ParsedFile, triangleFaces } from '../parsed-file.ts';
 import { settlePlaceless } from '../placeless.ts';
 import { counted, refusal } from '../refuse.ts';
 import { Accessor } from './accessor.ts';
-import { GltfDocument, type Json } from './document.ts';
+import { type Elsewhere, GltfDocument, type Json } from './document.ts';
+import { imageInside } from './images.ts';
 import {
   apply3,
   applyTransposed3,
@@ -302,15 +303,27 @@ class GltfScan {
     throw refusal('index-out-of-range', this.#document.name, `accessor ${accessor.index}`, sentence, bad);
   }
 
+  /** What becomes of files beside this one. */
+  #elsewhere(): string[] {
+    const document = this.#document;
+    const files = document.elsewhere();
+    const isInside = ({ key, path }: Elsewhere) =>
+      key === 'buffers' || imageInside(document, path) !== undefined;
+    const list = (found: readonly Elsewhere[]) => [...new Set(found.map(({ path }) => path))].join(', ');
+    const inside = list(files.filter(isInside));
+    const outside = list(files.filter((file) => !isInside(file)));
+    return [
+      ...(inside ? [`Its data lies beside it (${inside}); the result has it inside.`] : []),
+      ...(outside ? [`The result looks for the same images beside it: ${outside}.`] : []),
+    ];
+  }
+
   #finishWarnings(): string[] {
     const warnings = [...this.#warnings];
     if (this.#skippedPrimitives > 0) {
       warnings.push(`Left out ${counted(this.#skippedPrimitives, 'part')} made of points or lines.`);
     }
-    const outside = this.#document.references().flatMap(({ path, isShape }) => (isShape ? [path] : []));
-    if (outside.length > 0) {
-      warnings.push(`Its data lies beside it (${outside.join(', ')}); the result has it inside.`);
-    }
+    warnings.push(...this.#elsewhere());
     if (this.#repeated > 0) {
       warnings.push(
         `Some parts stand in the scene several times; they are edited at their first place, and ${counted(this.#repeated, 'copy', 'copies')} will follow.`,
