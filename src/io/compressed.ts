@@ -13,7 +13,7 @@ export interface PlainFile {
 }
 
 /**
- * The same file without compression, if it is a glTF or GLB that is compressed with Draco or meshopt; any other file as it is.
+ * Undoes the compression of a file, if it is a glTF or GLB that is compressed with Draco or meshopt; any other file as it is.
  * Reading and writing work on what comes out.
  *
  * @param load loads a decoder; called only where a file needs it

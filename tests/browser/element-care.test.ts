@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import type { WhittleView } from '../../src/element/index.ts';
 import { violations } from './support/axe.ts';
 import type { StaticServer } from './support/static-server.ts';
-import { docsPage, useElement } from './support/use-element.ts';
+import { docsPage, eventsOf, happened, noteEvents, type Told, useElement } from './support/use-element.ts';
 
 /** What pages do to elements that nobody thought of: attributes that change too soon, elements that move, many of them, no WebGL. */
 
@@ -14,8 +14,6 @@ const element = useElement();
 
 /** What the page notes of itself. */
 interface Notes {
-  /** “id event: detail”, of all elements. */
-  readonly log: string[];
   readonly contexts: WebGLRenderingContext[];
 }
 
@@ -31,19 +29,10 @@ async function open(
   let workers = 0;
   page.on('pageerror', (error) => errors.push(error.message));
   page.on('worker', () => workers++);
+  await noteEvents(page);
   await page.addInitScript((isBlind) => {
-    const notes: Notes = { log: [], contexts: [] };
+    const notes: Notes = { contexts: [] };
     Object.assign(globalThis, notes);
-    for (const name of ['load', 'change', 'error'])
-      document.addEventListener(
-        name,
-        (event) => {
-          const { target } = event;
-          if (target instanceof Element && target.localName === 'whittle-view')
-            notes.log.push(`${target.id} ${name}: ${JSON.stringify((event as CustomEvent).detail)}`);
-        },
-        true,
-      );
     const { getContext } = HTMLCanvasElement.prototype;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
       const isGl = String(args[0]).startsWith('webgl');
@@ -55,18 +44,6 @@ async function open(
   }, noWebGl);
   await page.goto(`${server.url}/`);
   return { page, workers: () => workers, errors, server };
-}
-
-const log = (page: Page) => page.evaluate(() => (globalThis as unknown as Notes).log);
-
-async function happened(page: Page, ...events: string[]): Promise<void> {
-  await page.waitForFunction(
-    (wanted) =>
-      wanted.every((event) =>
-        (globalThis as unknown as Notes).log.some((line) => line.startsWith(`${event}:`)),
-      ),
-    events,
-  );
 }
 
 const liveContexts = (page: Page) =>
@@ -92,8 +69,8 @@ it('survives sources that change while it loads and solves, with one worker and 
     }
     element.lambda = 0.7;
   });
-  await page.waitForFunction(() => /converged/.test((globalThis as unknown as Notes).log.at(-1)!));
-  const lines = await log(page);
+  await page.waitForFunction(() => /converged/.test((globalThis as unknown as Told).log.at(-1)!));
+  const lines = await eventsOf(page);
   expect(lines.filter((line) => line.includes('error'))).toEqual([]);
   expect(lines.filter((line) => line.includes('cancelled'))).toEqual([]);
   expect(workers()).toBe(1);
@@ -110,7 +87,7 @@ it('goes and comes back, also while it solves and where nobody looks', async () 
   await happened(page, 'a load', 'far load');
   expect(await liveContexts(page)).toBe(1);
   await page.evaluate(async () => {
-    (globalThis as unknown as Notes).log.length = 0;
+    (globalThis as unknown as Told).log.length = 0;
     for (const id of ['a', 'far']) {
       const element = document.querySelector(`#${id}`)!;
       const parent = element.parentElement!;
@@ -121,7 +98,7 @@ it('goes and comes back, also while it solves and where nobody looks', async () 
     document.querySelector('#a')!.scrollIntoView();
   });
   await happened(page, 'a change', 'far load');
-  expect((await log(page)).filter((line) => line.includes('error'))).toEqual([]);
+  expect((await eventsOf(page)).filter((line) => line.includes('error'))).toEqual([]);
   expect(errors).toEqual([]);
   await page.evaluate(() => document.querySelector('#a')!.setAttribute('src', ''));
   await page.waitForFunction(() => !document.querySelector('#a')!.shadowRoot!.querySelector('canvas, img'));
@@ -157,7 +134,7 @@ it('without WebGL keeps the poster, says so, and gives the file all the same', a
   await happened(page, 'a change');
   expect(await page.locator('#a [role=alert]').innerText()).toContain('cannot draw 3D');
   expect(await page.locator('#a [part=poster]').count()).toBe(1);
-  expect((await log(page)).filter((line) => line.startsWith('a error')).length).toBe(1);
+  expect((await eventsOf(page)).filter((line) => line.startsWith('a error')).length).toBe(1);
   const size = await page.evaluate(
     async () => (await (document.querySelector('#a') as WhittleView).toBlob()).size,
   );
@@ -193,7 +170,7 @@ it('names what is wrong by its code, reads odd names, and needs no words to be a
      <whittle-view id="c" src="${rabbit}" alt=""></whittle-view>`,
   );
   await happened(page, 'a error', 'b load', 'b error', 'c load');
-  const lines = await log(page);
+  const lines = await eventsOf(page);
   expect(lines.find((line) => line.startsWith('a error'))).toContain('could not be fetched');
   expect(lines.find((line) => line.startsWith('b error'))).toContain('"code":"bad-parameter"');
   expect(await violations(page)).toEqual([]);

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { runCommandLine } from '../../src/cli/command-line.ts';
 import type { WhittleView } from '../../src/element/index.ts';
 import { violations } from './support/axe.ts';
-import { docsPage, samples, useElement } from './support/use-element.ts';
+import { docsPage, happened, noteEvents, samples, type Told, useElement } from './support/use-element.ts';
 
 const strict = "script-src 'self' 'wasm-unsafe-eval'";
 
@@ -22,31 +22,9 @@ async function open(url: string): Promise<{ page: Page; errors: string[] }> {
   const page = await (await element.browser.newContext({ reducedMotion: 'reduce' })).newPage();
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.message));
-  // Events of elements that are there before anybody can listen to them.
-  await page.addInitScript(() => {
-    const log: string[] = [];
-    Object.assign(globalThis, { log });
-    for (const name of ['load', 'change', 'error'])
-      document.addEventListener(
-        name,
-        (event) => {
-          const { target } = event;
-          if (target instanceof Element && target.localName === 'whittle-view')
-            log.push(`${target.id} ${name}`);
-        },
-        true,
-      );
-  });
+  await noteEvents(page);
   await page.goto(url);
   return { page, errors };
-}
-
-/** Waits until the events of elements have happened. */
-async function happened(page: Page, ...events: string[]): Promise<void> {
-  await page.waitForFunction(
-    (wanted) => wanted.every((event) => (globalThis as unknown as { log: string[] }).log.includes(event)),
-    events,
-  );
 }
 
 it('works four times on a static page under a strict policy, with one worker, and gives the command line’s bytes', async () => {
@@ -97,7 +75,7 @@ it('follows its attributes and its slider, and can be cancelled and reset', asyn
   const before = await shape();
   await page.evaluate(() => document.querySelector('#a')!.setAttribute('lambda', '0.6'));
   await page.waitForFunction(
-    () => (globalThis as unknown as { log: string[] }).log.filter((event) => event === 'a change').length > 1,
+    () => (globalThis as unknown as Told).log.filter((event) => event.startsWith('a change:')).length > 1,
   );
   const after = await shape();
   expect(after).not.toBe(before);

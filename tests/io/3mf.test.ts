@@ -2,6 +2,7 @@ import { unzipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { readMesh, writeMesh } from '../../src/io/index.ts';
 import { readZip } from '../../src/io/zip.ts';
+import { volumeInside } from '../fixtures/surfaces.ts';
 import { cubeModel, cubePositions, pack3mf, text } from '../fixtures/tiny-files.ts';
 import { writtenBytes } from '../fixtures/written.ts';
 
@@ -10,18 +11,6 @@ const cube = pack3mf({ [main]: cubeModel() });
 const read = (model: string, others: Record<string, string> = {}) =>
   readMesh(pack3mf({ [main]: model, ...others }), 'a.3mf');
 const item = '<item objectid="2" p:UUID="x"/>';
-
-/** Six times the signed volume: above zero where triangles look outwards. */
-function volume({ positions: x, triangles }: { positions: Float64Array; triangles: Uint32Array }): number {
-  let sum = 0;
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => [...x.subarray(3 * triangles[t + k]!, 3 * triangles[t + k]! + 3)]);
-    sum += a![0]! * (b![1]! * c![2]! - b![2]! * c![1]!);
-    sum += a![1]! * (b![2]! * c![0]! - b![0]! * c![2]!);
-    sum += a![2]! * (b![0]! * c![1]! - b![1]! * c![0]!);
-  }
-  return sum;
-}
 
 describe('what is given back', () => {
   it('changes numbers of vertices, and nothing else of the archive', () => {
@@ -81,7 +70,7 @@ describe('what is given back', () => {
 describe('what is read', () => {
   it('looks outwards where a transform mirrors', () => {
     const mirrored = cubeModel().replace(item, '<item objectid="2" transform="-1 0 0 0 1 0 0 0 1 0 0 0"/>');
-    expect(volume(read(mirrored).mesh)).toBeGreaterThan(0);
+    expect(volumeInside(read(mirrored).mesh)).toBeGreaterThan(0);
   });
 
   it('may be in other model files of the archive, as slicers of several parts have it', () => {

@@ -1,23 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { readMesh } from '../../src/io/index.ts';
+import { volumeInside } from '../fixtures/surfaces.ts';
 import { type AnyJson, gltfBuffer, gltfJson, packGlb } from '../fixtures/tiny-files.ts';
 import { writtenBytes } from '../fixtures/written.ts';
 
 /** Where a glTF scene puts its meshes, and which way round their triangles are read. */
 
 const read = (json: AnyJson, bin = gltfBuffer()) => readMesh(packGlb(json, bin), 'a.glb');
-
-/** Six times the signed volume: above zero where triangles look outwards. */
-function volume({ positions: x, triangles }: { positions: Float64Array; triangles: Uint32Array }): number {
-  let sum = 0;
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => [...x.subarray(3 * triangles[t + k]!, 3 * triangles[t + k]! + 3)]);
-    sum += a![0]! * (b![1]! * c![2]! - b![2]! * c![1]!);
-    sum += a![1]! * (b![2]! * c![0]! - b![0]! * c![2]!);
-    sum += a![2]! * (b![0]! * c![1]! - b![1]! * c![0]!);
-  }
-  return sum;
-}
 
 describe('a transform that mirrors', () => {
   it.each([
@@ -32,7 +21,7 @@ describe('a transform that mirrors', () => {
     // The first two numbers of each tangent serve as texture coordinates: those of one corner tell it from the others.
     json.accessors[4] = { bufferView: 0, componentType: 5126, count: 24, type: 'VEC2' };
     const { mesh } = read(json);
-    expect(volume(mesh)).toBeGreaterThan(0);
+    expect(volumeInside(mesh)).toBeGreaterThan(0);
     const plain = read({ ...json, nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }] }).mesh;
     mesh.triangles.forEach((v, c) => {
       const [u, up] = [plain.positions[3 * v]!, 1 - plain.positions[3 * v + 1]!];
@@ -55,7 +44,7 @@ describe('a transform that mirrors', () => {
       { children: [0], scale: [1, -1, 1] },
     ];
     const { mesh } = read(json);
-    expect(volume(mesh)).toBeGreaterThan(0);
+    expect(volumeInside(mesh)).toBeGreaterThan(0);
     expect(mesh.triangles).toEqual(read(gltfJson()).mesh.triangles);
   });
 });
@@ -113,7 +102,7 @@ describe('a skinned mesh', () => {
       }),
     );
     expect(second).toEqual(first);
-    // That of joint 2, twice as large and five up.
+    // Joint 2 says where it stands: twice as large and five up.
     expect([Math.min(...first), Math.max(...first)]).toEqual([0, 7]);
   });
 

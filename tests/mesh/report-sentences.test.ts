@@ -1,23 +1,13 @@
 import { expect, test } from 'vitest';
 import type { MeshReport } from '../../src/mesh/mesh.ts';
 import { oddities } from '../../src/mesh/report-sentences.ts';
+import { plainReport } from '../fixtures/fake-engine.ts';
 
 const sound: MeshReport = {
-  vertices: 8,
-  faces: 12,
+  ...plainReport(8, 12),
   components: 2,
   typicalPart: 4,
   boundaryEdges: 4,
-  nonManifoldEdges: 0,
-  degenerateFaces: 0,
-  duplicateFaces: 0,
-  isolatedVertices: 0,
-  farVertices: 0,
-  nearPlaces: 0,
-  turnedFaces: 0,
-  oneSidedEdges: 0,
-  min: [0, 0, 0],
-  max: [1, 1, 1],
 };
 
 test('holes and several parts are no cause for a warning', () => {

@@ -51,7 +51,7 @@ export function compressionsOf(document: GltfDocument): Compression[] {
 }
 
 /**
- * The same asset without compression, in one buffer: buffer views and primitives decoded, and all else as it was.
+ * Writes an asset again without compression, in one buffer: buffer views and primitives decoded, and all else as it was.
  *
  * @throws unsupported-file, truncated-file, malformed-file
  */

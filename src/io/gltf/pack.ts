@@ -38,7 +38,7 @@ export function packGltf({ json, bin }: GltfPieces): Uint8Array<ArrayBuffer> {
 }
 
 /**
- * The same asset with all of its data in one buffer, images of other files too where they are there: what a glTF becomes as GLB
+ * Gathers all data of an asset in one buffer, images of other files too where they are there: what a glTF becomes as GLB
  * and the other way round. Nothing else changes.
  */
 export function piecesOf(document: GltfDocument): GltfPieces {

@@ -17,7 +17,7 @@ export interface WidenedPly {
 const largestInFloat = 2 ** 20;
 
 /**
- * The same file with room for decimal numbers where its positions are whole ones: the header names another type, and in a binary
+ * Makes room in a file for decimal numbers where its positions are whole ones: the header names another type, and in a binary
  * file each row grows. All other bytes stay.
  *
  * @param axes the properties x, y and z

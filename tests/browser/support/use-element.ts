@@ -1,4 +1,4 @@
-import type { Browser } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll } from 'vitest';
 import { makeSamples } from '../../../web/build/samples.mjs';
 import { launch } from './launch.ts';
@@ -49,4 +49,42 @@ export function docsPage(
 <html lang="en"><head><title>Docs</title><style>whittle-view { width: ${width}px; height: ${height}px; }</style>
 <script type="module" src="${scripts}/whittle-view.js"></script></head>
 <body><main><h1>How to whittle</h1>${views}</main></body></html>`;
+}
+
+/** What the elements of a page have told. */
+export interface Told {
+  /** “id event: detail” */
+  readonly log: string[];
+}
+
+/** Notes the events of all elements from the first on: some are there before anybody can listen to them. */
+export async function noteEvents(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const told: Told = { log: [] };
+    Object.assign(globalThis, told);
+    for (const name of ['load', 'change', 'error'])
+      document.addEventListener(
+        name,
+        (event) => {
+          const { target } = event;
+          if (target instanceof Element && target.localName === 'whittle-view')
+            told.log.push(`${target.id} ${name}: ${JSON.stringify((event as CustomEvent).detail)}`);
+        },
+        true,
+      );
+  });
+}
+
+export const eventsOf = (page: Page): Promise<string[]> =>
+  page.evaluate(() => (globalThis as unknown as Told).log);
+
+/** Waits until events have happened, each told as “id event”. */
+export async function happened(page: Page, ...events: string[]): Promise<void> {
+  await page.waitForFunction(
+    (wanted) =>
+      wanted.every((event) =>
+        (globalThis as unknown as Told).log.some((line) => line.startsWith(`${event}:`)),
+      ),
+    events,
+  );
 }
