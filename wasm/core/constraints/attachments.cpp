@@ -1,7 +1,6 @@
 #include "constraints/attachments.h"
 
-#include <algorithm>
-#include <numeric>
+#include "mesh/disjoint_sets.h"
 
 namespace whittle {
 
@@ -52,24 +51,15 @@ double Attachments::addForces(const Points& displacements, Points& residual) con
 
 Components Attachments::tied(const Components& parts) const {
   if (empty()) return parts;
-  std::vector<Index> parent(parts.count);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index part) {
-    while (parent[part] != part) part = parent[part] = parent[parent[part]];
-    return part;
-  };
+  DisjointSets tied(parts.count);
   for (const Attachment& row : rows_) {
-    const Index a = root(parts.ofVertex[row.vertices[0]]);
-    for (const Index v : row.vertices) {
-      const Index b = root(parts.ofVertex[v]);
-      if (b != a) parent[std::max(root(a), b)] = std::min(root(a), b);
-    }
+    for (const Index v : row.vertices) tied.join(parts.ofVertex[row.vertices[0]], parts.ofVertex[v]);
   }
   Components groups;
   std::vector<Index> groupOf(parts.count, -1);
   groups.ofVertex.reserve(parts.ofVertex.size());
   for (const Index part : parts.ofVertex) {
-    Index& group = groupOf[root(part)];
+    Index& group = groupOf[tied.find(part)];
     if (group < 0) group = groups.count++;
     groups.ofVertex.push_back(group);
   }

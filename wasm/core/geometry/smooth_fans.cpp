@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "mesh/adjacency.h"
+#include "mesh/disjoint_sets.h"
 
 namespace whittle {
 
@@ -53,27 +54,6 @@ std::vector<bool> mayBend(const Points& normals, const Triangles& triangles, Ind
   }
   return result;
 }
-
-/// Sets that grow together, the smallest member standing for each.
-class Unions {
- public:
-  void reset(Index count) {
-    parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  bool join(Index i, Index j) {
-    const Index a = find(i), b = find(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Tells the fans of one vertex after the other.
 class FanFinder {
@@ -164,7 +144,7 @@ class FanFinder {
   std::vector<Index> spokes_;  // neighbours
   std::vector<Side> sides_;
   std::vector<Seen> seen_;  // of each spoke
-  Unions edges_, faces_;
+  DisjointSets edges_, faces_;
   Index withoutArea_ = 0;
   std::vector<Index> fans_;
 };

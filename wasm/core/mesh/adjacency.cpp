@@ -4,24 +4,11 @@
 #include <numeric>
 
 #include "base/tiering.h"
+#include "mesh/disjoint_sets.h"
 
 namespace whittle {
 
 namespace {
-
-Index findRoot(std::vector<Index>& parent, Index v) {
-  while (parent[v] != v) {
-    parent[v] = parent[parent[v]];  // halve the path, so that long strips stay linear
-    v = parent[v];
-  }
-  return v;
-}
-
-/// Joins the parts of two vertices under the smaller root.
-void join(std::vector<Index>& parent, Index v, Index w) {
-  const Index a = findRoot(parent, v), b = findRoot(parent, w);
-  parent[std::max(a, b)] = std::min(a, b);
-}
 
 /// Counts the edges from v to higher vertices.
 /// @param faceCounts of the edge to each vertex, all zero before and after
@@ -46,16 +33,15 @@ WHITTLE_OWN_FUNCTION void countEdgesAt(Index v, const Triangles& triangles, cons
 }  // namespace
 
 Components connectedComponents(const Triangles& triangles, Index vertexCount) {
-  std::vector<Index> parent(vertexCount);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets parts(vertexCount);
   for (Index f = 0; f < triangles.rows(); ++f) {
-    for (int k = 1; k < 3; ++k) join(parent, triangles(f, 0), triangles(f, k));
+    for (int k = 1; k < 3; ++k) parts.join(triangles(f, 0), triangles(f, k));
   }
 
   Components components;
   components.ofVertex.resize(vertexCount);
   for (Index v = 0; v < vertexCount; ++v) {
-    const Index root = findRoot(parent, v);  // the smallest vertex of the part, so numbered before its others
+    const Index root = parts.find(v);  // the smallest vertex of the part, so numbered before its others
     components.ofVertex[v] = root == v ? components.count++ : components.ofVertex[root];
   }
   return components;
@@ -69,8 +55,8 @@ std::vector<Index> Components::ofFaces(const Triangles& triangles) const {
 
 std::vector<Index> partsByEdges(const Triangles& triangles, Index vertexCount) {
   const Fans fans(triangles, vertexCount);
-  std::vector<Index> parent(triangles.rows()), faceAt(vertexCount, -1);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets parts(static_cast<Index>(triangles.rows()));
+  std::vector<Index> faceAt(vertexCount, -1);
   const auto forEachUpward = [&](Index v, auto&& visit) {
     for (Index p = fans.start[v]; p < fans.start[v + 1]; ++p) {
       const Index f = fans.corners[p] / 3;
@@ -81,13 +67,14 @@ std::vector<Index> partsByEdges(const Triangles& triangles, Index vertexCount) {
   };
   for (Index v = 0; v < vertexCount; ++v) {
     forEachUpward(v, [&](Index f, Index& last) {
-      if (last >= 0) join(parent, last, f);
+      if (last >= 0) parts.join(last, f);
       last = f;
     });
     forEachUpward(v, [](Index, Index& last) { last = -1; });
   }
-  for (Index f = 0; f < static_cast<Index>(parent.size()); ++f) parent[f] = findRoot(parent, f);
-  return parent;
+  std::vector<Index> partOfFace(triangles.rows());
+  for (Index f = 0; f < static_cast<Index>(partOfFace.size()); ++f) partOfFace[f] = parts.find(f);
+  return partOfFace;
 }
 
 Fans::Fans(const Triangles& triangles, Index vertexCount) : start(vertexCount + 1, 0), corners(triangles.size()) {

@@ -6,6 +6,8 @@
 
 namespace whittle {
 
+const Vec3 GaussMap::kTieAxis = Vec3(0.31, 0.52, 0.83).normalized();
+
 namespace {
 
 Points unitRows(const Points& rows) {
@@ -26,8 +28,8 @@ Status refused(const std::string& what, Element element = {}) {
   return Status::failure(Code::badParameter, "the style's Gauss map " + what, element);
 }
 
-/// The turn that decides ties: by 1e-3 radians, about an axis that is no symmetry's.
-const Mat3 kTieTurn = Eigen::AngleAxisd(1e-3, Vec3(0.31, 0.52, 0.83).normalized()).toRotationMatrix();
+/// The turn that decides ties, by 1e-3 radians.
+const Mat3 kTieTurn = Eigen::AngleAxisd(1e-3, GaussMap::kTieAxis).toRotationMatrix();
 
 /// So many cells that each holds a few of so many items.
 int gridSide(Index items) { return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(items) / 2)), 4, 48); }

@@ -30,6 +30,10 @@ Status validateGaussMap(const GaussMapData& data);
 /// side would crumple. So all take the same, and the opposite side the opposite one.
 class GaussMap {
  public:
+  /// The axis of the turn by which ties between two of the style's normals are decided: no symmetry's, and the same for
+  /// every style, so that the order of its normals says nothing.
+  static const Vec3 kTieAxis;
+
   /// @param data valid
   explicit GaussMap(GaussMapData data);
 

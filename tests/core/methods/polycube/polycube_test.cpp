@@ -120,15 +120,12 @@ TEST_CASE("turning directions and mesh together turns the polycube, another orde
     CHECK((other.row(shuffledPlace(v, mesh.vertexCount())) - plain.row(v)).norm() < 1e-4);
   }
 
-  const Mat3 R = Noise().rotation();
+  // About the axis of the turn that decides ties, which does not turn with the directions: about any other, a face within
+  // 1e-3 radians of the border between two directions may fall to the other one, and with it what is around it.
+  const Mat3 R = Eigen::AngleAxisd(1.1, GaussMap::kTieAxis).toRotationMatrix();
   boxed.directions.normals = (boxed.directions.normals * R.transpose()).eval();
   const Points turned = carve({mesh.positions * R.transpose(), mesh.triangles}, boxed).positions;
-  // Alike, not equal: a face that comes within 1e-3 radians of the border between two directions may fall to the other one,
-  // and with it what is around it. The turn that decides ties does not turn with the directions, so that their order
-  // says nothing.
-  const double volume = volumeInside(plain, mesh.triangles);
-  CHECK(volumeInside(turned, mesh.triangles) == doctest::Approx(volume).epsilon(0.05));
-  CHECK((turned - plain * R.transpose()).rowwise().norm().mean() < 0.05);
+  CHECK(largestMove(turned, plain * R.transpose()) < 1e-3);
 }
 
 TEST_CASE("sides that lie between two directions stay flat, whatever rounding says") {

@@ -1,11 +1,11 @@
 #include "methods/spherical/sphere_topology.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "mesh/disjoint_sets.h"
 #include "mesh/validate.h"
 
 namespace whittle {
@@ -82,12 +82,7 @@ Status requireClosed(const std::vector<DirectedEdge>& edges) {
 /// The faces around a vertex, linked across shared edges, must be one ring: it has a single part.
 Status requireOneFan(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
   // Corners (face, vertex) of one fan are joined by the two edges of a pair at both ends.
-  std::vector<Index> parent(3 * mesh.faceCount());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](Index c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
-  };
+  DisjointSets fans(3 * mesh.faceCount());
   const auto corner = [&](Index face, Index vertex) {
     int k = 0;
     while (mesh.triangles(face, k) != vertex) ++k;
@@ -95,14 +90,14 @@ Status requireOneFan(const TriangleMesh& mesh, const std::vector<DirectedEdge>& 
   };
   for (std::size_t e = 0; e + 1 < edges.size(); e += 2) {
     for (const Index vertex : {edges[e].from, edges[e].to}) {
-      parent[root(corner(edges[e].face, vertex))] = root(corner(edges[e + 1].face, vertex));
+      fans.join(corner(edges[e].face, vertex), corner(edges[e + 1].face, vertex));
     }
   }
   std::vector<Index> fan(mesh.vertexCount(), -1);
-  for (Index c = 0; c < static_cast<Index>(parent.size()); ++c) {
+  for (Index c = 0; c < static_cast<Index>(mesh.triangles.size()); ++c) {
     Index& known = fan[mesh.triangles(c / 3, c % 3)];
-    if (known < 0) known = root(c);
-    if (known == root(c)) continue;
+    if (known < 0) known = fans.find(c);
+    if (known == fans.find(c)) continue;
     const Index vertex = mesh.triangles(c / 3, c % 3);
     return refuse("at vertex {} separate sheets touch in one point; split the vertex", Element::vertex(vertex));
   }
