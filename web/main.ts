@@ -1,6 +1,7 @@
 import { Editor } from '../src/editor/editor.ts';
 import { Presenter } from '../src/editor/presenter.ts';
 import { createBrowserEngine } from '../src/engine/in-browser.ts';
+import { Interaction } from '../src/viewer/interaction.ts';
 import { Viewer } from '../src/viewer/viewer.ts';
 import { Page } from './app/actions.ts';
 import { listenForDrops } from './app/drop.ts';
@@ -14,9 +15,11 @@ import { samples } from './app/samples.ts';
 import { listenForShortcuts } from './app/shortcuts.ts';
 import { StyleActions } from './app/style-actions.ts';
 import { followTheme } from './app/theme.ts';
+import { ToolBelt } from './app/tool-belt.ts';
 import './panels/all.ts';
 import type { PageElement } from './panels/page-element.ts';
 import './css/all.css';
+import { makeTools } from './tools/all.ts';
 import { NormalPainter } from './tools/paint-normals.ts';
 
 const element = (selector: string) => document.querySelector<HTMLElement>(selector)!;
@@ -32,7 +35,13 @@ const editor = new Editor({ store, engine, presenter, surroundings: { decodeImag
 const styles = new StyleActions({ store, editor, engine, drawn: nextFrame });
 const images = new ImageActions(store, editor);
 const painter = new NormalPainter(store, editor, (run) => requestAnimationFrame(run));
-const page = new Page({ store, editor, styles, images, painter, presenter, viewer });
+const interaction = viewer && new Interaction(viewer);
+const tools = new ToolBelt(
+  store,
+  interaction,
+  interaction ? makeTools({ store, editor, interaction }) : new Map(),
+);
+const page = new Page({ store, editor, styles, images, painter, tools, presenter, viewer });
 
 followTheme(store, viewer);
 followOverlay(store, viewer);

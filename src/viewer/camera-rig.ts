@@ -1,4 +1,4 @@
-import { PerspectiveCamera, Vector3 } from 'three';
+import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 /** Parts of the canvas that other things cover, in CSS pixels. The object is centred in what is left. */
@@ -64,6 +64,23 @@ export class CameraRig {
     if (!this.#isMoved && Math.abs(radius / this.#radius - 1) > 0.03) this.fit(radius, true);
   }
 
+  /** Goes around the object. @param azimuth to the right, in radians   @param polar upwards */
+  turn(azimuth: number, polar: number): void {
+    const { target } = this.controls;
+    const place = new Spherical().setFromVector3(this.camera.position.clone().sub(target));
+    place.theta += azimuth;
+    place.phi = Math.min(Math.PI - 0.01, Math.max(0.01, place.phi - polar));
+    this.#place(new Vector3().setFromSpherical(place).add(target));
+  }
+
+  /** Goes nearer (factor < 1) or away. */
+  approach(factor: number): void {
+    const { target, minDistance, maxDistance } = this.controls;
+    const offset = this.camera.position.clone().sub(target);
+    offset.clampLength(minDistance / factor, maxDistance / factor).multiplyScalar(factor);
+    this.#place(offset.add(target));
+  }
+
   resize(width: number, height: number): void {
     const before = this.#size;
     this.#size = { width: Math.max(1, width), height: Math.max(1, height) };
@@ -91,6 +108,14 @@ export class CameraRig {
 
   dispose(): void {
     this.controls.dispose();
+  }
+
+  /** A hand, or a key, puts the camera somewhere. */
+  #place(position: Vector3): void {
+    this.#glide = null;
+    this.#isMoved = true;
+    this.camera.position.copy(position);
+    this.controls.update();
   }
 
   #freeArea(): { width: number; height: number } {

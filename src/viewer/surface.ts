@@ -59,6 +59,28 @@ export class Surface {
     else this.geometry.deleteAttribute('color');
   }
 
+  /** Sends colours to the GPU that were written into the array last given to {@link paint}. @param touched positions whose colour changed */
+  touchColors(touched: ArrayLike<number>): void {
+    const colors = this.geometry.getAttribute('color') as BufferAttribute | undefined;
+    if (!colors || touched.length === 0) return;
+    let [low, high] = [touched[0]!, touched[0]!];
+    for (let k = 1; k < touched.length; k++) {
+      low = Math.min(low, touched[k]!);
+      high = Math.max(high, touched[k]!);
+    }
+    colors.addUpdateRange(3 * low, 3 * (high - low + 1));
+    colors.needsUpdate = true;
+  }
+
+  /** The drawn faces by positions of the file, #S×3: each place once, and looking the same way. */
+  get triangles(): Uint32Array<ArrayBuffer> {
+    return this.#triangles;
+  }
+
+  get mesh(): Mesh {
+    return this.#mesh;
+  }
+
   /** View-space positions as they are drawn now, #P×3; a live view, not a copy. */
   get drawn(): Float32Array {
     return this.#position.array as Float32Array;

@@ -8,10 +8,13 @@ import {
   Mesh as MeshObject,
   MeshStandardMaterial,
   PCFShadowMap,
+  type PerspectiveCamera,
   Quaternion,
   Scene,
 } from 'three';
+import type { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Mesh } from '../mesh/mesh.ts';
+import { listenForCameraKeys } from './camera-keys.ts';
 import { CameraRig, type Insets } from './camera-rig.ts';
 import { Morph } from './morph.ts';
 import { RenderLoop } from './render-loop.ts';
@@ -35,6 +38,21 @@ export interface ViewerOptions {
   readonly onContext?: (lost: boolean) => void;
 }
 
+/** Where tools beside the viewer point and draw. */
+export interface ViewSpace {
+  readonly camera: PerspectiveCamera;
+  readonly controls: OrbitControls;
+  /** Has the file's axes, in view units. What is in it and in {@link gizmos} is in no picture that is saved. */
+  readonly overlay: Group;
+  /** Has the world's axes, of which y points up. */
+  readonly gizmos: Group;
+  /** Null while nothing is shown. */
+  readonly surface: Surface | null;
+}
+
+/** What became of the shape on the screen: it is another mesh, or has other positions. */
+export type ShapeChange = 'mesh' | 'positions';
+
 const casting = { out: BackSide, in: FrontSide, neither: DoubleSide } as const;
 
 /** Draws one mesh on a canvas. Draws on demand only; every setter asks for a drawing. */
@@ -43,6 +61,8 @@ export class Viewer {
   readonly #renderer: Renderer;
   readonly #scene = new Scene();
   readonly #turned = new Group();
+  readonly #overlay = new Group();
+  readonly #gizmos = new Group();
   readonly #stage = new Stage(this.#scene);
   readonly #rig: CameraRig;
   readonly #loop = new RenderLoop((now) => this.#draw(now));
@@ -64,6 +84,7 @@ export class Viewer {
   #zUp = false;
   #drawings = 0;
   readonly #turnListeners = new Set<() => void>();
+  readonly #shapeListeners = new Set<(change: ShapeChange) => void>();
   readonly #seenFrom = new Quaternion();
 
   /** @throws Error with a sentence for people when the browser gives no WebGL context */
@@ -76,7 +97,9 @@ export class Viewer {
     this.#renderer.shadowMap.type = PCFShadowMap;
     this.#renderer.shadowMap.autoUpdate = false;
     this.#rig = new CameraRig(canvas, this.#loop.invalidate);
-    this.#scene.add(this.#turned);
+    listenForCameraKeys(canvas, this.#rig, this.#loop.invalidate, this.#off.signal);
+    this.#scene.add(this.#turned, this.#gizmos);
+    this.#turned.add(this.#overlay);
     for (const material of [this.#clay, this.#facets]) {
       material.polygonOffset = true;
       material.polygonOffsetFactor = material.polygonOffsetUnits = 1;
@@ -102,6 +125,21 @@ export class Viewer {
     return () => this.#turnListeners.delete(listener);
   }
 
+  /** What tools beside the viewer build on: where they point from, where they draw, what is drawn now. */
+  get space(): ViewSpace {
+    const { camera, controls } = this.#rig;
+    return { camera, controls, overlay: this.#overlay, gizmos: this.#gizmos, surface: this.#surface };
+  }
+
+  /** Tells of another mesh, and of other positions of it, until the returned function is called. */
+  onShape(listener: (change: ShapeChange) => void): () => void {
+    this.#shapeListeners.add(listener);
+    return () => this.#shapeListeners.delete(listener);
+  }
+
+  /** Asks for one drawing. */
+  readonly invalidate = (): void => this.#loop.invalidate();
+
   /** Shows another mesh and frames it. @param up the axis that points up in the file */
   show(mesh: Mesh, up: 'y' | 'z' = 'y'): void {
     this.clear();
@@ -120,12 +158,12 @@ export class Viewer {
     this.setShading(this.#shading);
     this.#measure();
     this.#rig.fit(this.#reach, false);
-    this.#changed();
+    this.#changed('mesh');
   }
 
   clear(): void {
     this.#morph = null;
-    this.#turned.clear();
+    for (const drawn of [this.#body, this.#lines]) drawn?.removeFromParent();
     this.#surface?.dispose();
     this.#surface = this.#body = this.#lines = null;
     this.#loop.invalidate();
@@ -142,7 +180,7 @@ export class Viewer {
     } else {
       this.#surface.write(positions);
     }
-    this.#changed();
+    this.#changed('positions');
   }
 
   setShading(shading: Shading): void {
@@ -161,6 +199,12 @@ export class Viewer {
   setColors(colors: Float32Array<ArrayBuffer> | null): void {
     this.#surface?.paint(colors);
     this.#paint();
+    this.#loop.invalidate();
+  }
+
+  /** Draws colours that were written into the array last given to {@link setColors}. @param touched its positions */
+  touchColors(touched: ArrayLike<number>): void {
+    this.#surface?.touchColors(touched);
     this.#loop.invalidate();
   }
 
@@ -190,7 +234,10 @@ export class Viewer {
   /** What the canvas shows, on a colour of your choice (default: see-through). */
   snapshot(background?: string): Promise<Blob> {
     this.#screen.sharpen();
+    this.#overlay.visible = this.#gizmos.visible = false;
     this.#render();
+    this.#overlay.visible = this.#gizmos.visible = true;
+    this.#loop.invalidate();
     const copy = document.createElement('canvas');
     copy.width = this.canvas.width;
     copy.height = this.canvas.height;
@@ -237,7 +284,8 @@ export class Viewer {
     this.#stage.setFootprint([x, this.#zUp ? y : z]);
   }
 
-  #changed(): void {
+  #changed(change: ShapeChange): void {
+    for (const listener of this.#shapeListeners) listener(change);
     if (this.#surface) this.#stage.placeFloor(this.#surface.lowest(this.#zUp ? 2 : 1));
     this.#rig.follow(this.#reach);
     this.#renderer.shadowMap.needsUpdate = true;
@@ -249,7 +297,7 @@ export class Viewer {
     if (this.#morph && this.#surface) {
       if (!this.#morph.write(now, this.#surface.drawn)) this.#morph = null;
       this.#surface.touch();
-      this.#changed();
+      this.#changed('positions');
     }
     if (this.#rig.update(now)) this.#loop.invalidate();
     this.#render();

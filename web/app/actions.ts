@@ -19,6 +19,7 @@ import { imageEndings, imageNames } from './read-image.ts';
 import { fetchSample, type Sample, samples } from './samples.ts';
 import { copyText, saveFile } from './save.ts';
 import type { StyleActions } from './style-actions.ts';
+import type { ToolBelt } from './tool-belt.ts';
 import type { ViewTurn } from './view-directions.ts';
 
 export interface PageParts {
@@ -27,6 +28,7 @@ export interface PageParts {
   readonly styles: StyleActions;
   readonly images: ImageActions;
   readonly painter: NormalPainter;
+  readonly tools: ToolBelt;
   readonly presenter: Presenter;
   /** Null where the browser draws no 3D. */
   readonly viewer: Viewer | null;
@@ -39,15 +41,17 @@ export class Page {
   readonly styles: StyleActions;
   readonly images: ImageActions;
   readonly painter: NormalPainter;
+  readonly tools: ToolBelt;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
 
-  constructor({ store, editor, styles, images, painter, presenter, viewer }: PageParts) {
+  constructor({ store, editor, styles, images, painter, tools, presenter, viewer }: PageParts) {
     this.store = store;
     this.editor = editor;
     this.styles = styles;
     this.images = images;
     this.painter = painter;
+    this.tools = tools;
     this.#presenter = presenter;
     this.#viewer = viewer;
   }

@@ -2,6 +2,7 @@ import { type EditorState, emptyState, Store } from '../../src/editor/state.ts';
 import type { Overlay, OverlayName } from '../../src/measures/index.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Shading } from '../../src/viewer/viewer.ts';
+import type { ToolId } from '../tools/tool.ts';
 import { builtInImages, type ImageEntry } from './image-gallery.ts';
 import { builtIn, type StyleEntry } from './style-gallery.ts';
 
@@ -44,6 +45,8 @@ export interface Gallery {
 /** The editor's state and what only a page has. */
 export interface PageState extends EditorState {
   readonly look: Look;
+  /** What is in the hand; never undone. */
+  readonly tool: ToolId;
   /** What {@link Look.overlay} measures of the project. */
   readonly overlay: Overlay | null;
   readonly gallery: Gallery;
@@ -57,6 +60,7 @@ export function newPageStore(): PageStore {
   return new Store<PageState>({
     ...emptyState,
     look: { shading: 'smooth', theme: 'auto', comparing: false, overlay: 'none' },
+    tool: 'turn',
     overlay: null,
     gallery: { entries: builtIn, pending: null, flow: null, offer: null, painting: false },
     images: builtInImages,

@@ -50,6 +50,7 @@ function runCommand(event: KeyboardEvent, page: Page, help: () => void): boolean
     if (key === 'y') return page.editor.redo();
     return false;
   }
+  if (page.tools.key(event)) return true;
   if (event.altKey) return false;
   if (key === 'escape') return page.editor.cancel() || dismissNotice(page);
   if (key === '?') {

@@ -1,0 +1,78 @@
+import type { Surface } from '../surface.ts';
+import type { Viewer } from '../viewer.ts';
+import { drawArrows } from './arrows.ts';
+import { drawFaces, drawSheet } from './faces.ts';
+import type { DrawnLayer, Layer } from './layer.ts';
+import { drawLines } from './lines.ts';
+import { drawPoints } from './points.ts';
+
+/** What tools draw over the mesh, by names of their choice. Another mesh takes all of it away. */
+export class Layers {
+  readonly #viewer: Viewer;
+  readonly #drawn = new Map<string, { layer: Layer; drawn: DrawnLayer }>();
+  readonly #unlisten: () => void;
+
+  constructor(viewer: Viewer) {
+    this.#viewer = viewer;
+    this.#unlisten = viewer.onShape((change) => {
+      const { surface } = viewer.space;
+      if (change === 'mesh' || !surface) this.clear();
+      else for (const { drawn } of this.#drawn.values()) drawn.follow?.(surface);
+    });
+  }
+
+  /** Draws a layer in place of the one of that name; null takes it away. The same object again changes nothing. */
+  set(name: string, layer: Layer | null): void {
+    const present = this.#drawn.get(name);
+    if (present?.layer === layer || (!present && !layer)) return;
+    if (present) this.#remove(name, present.drawn);
+    const { surface, overlay } = this.#viewer.space;
+    if (layer && surface) {
+      const drawn = draw(layer, surface);
+      const { clientWidth, clientHeight } = this.#viewer.canvas;
+      drawn.resize?.(clientWidth, clientHeight);
+      overlay.add(drawn.object);
+      this.#drawn.set(name, { layer, drawn });
+    }
+    this.#viewer.invalidate();
+  }
+
+  /** The names of what is drawn. */
+  get names(): readonly string[] {
+    return [...this.#drawn.keys()];
+  }
+
+  clear(): void {
+    for (const [name, { drawn }] of this.#drawn) this.#remove(name, drawn);
+  }
+
+  resize(width: number, height: number): void {
+    for (const { drawn } of this.#drawn.values()) drawn.resize?.(width, height);
+  }
+
+  dispose(): void {
+    this.#unlisten();
+    this.clear();
+  }
+
+  #remove(name: string, { object, dispose }: DrawnLayer): void {
+    object.removeFromParent();
+    dispose();
+    this.#drawn.delete(name);
+  }
+}
+
+function draw(layer: Layer, surface: Surface): DrawnLayer {
+  switch (layer.kind) {
+    case 'points':
+      return drawPoints(layer, surface);
+    case 'lines':
+      return drawLines(layer, surface);
+    case 'faces':
+      return drawFaces(layer, surface);
+    case 'arrows':
+      return drawArrows(layer, surface);
+    case 'sheet':
+      return drawSheet(layer, surface);
+  }
+}

@@ -1,0 +1,65 @@
+import type { Interaction } from '../../src/viewer/interaction.ts';
+import type { Tool, ToolId } from '../tools/tool.ts';
+import type { PageStore } from './page-state.ts';
+
+/** How a tool is shown on the strip. */
+export interface ToolFace {
+  readonly id: ToolId;
+  readonly title: string;
+  /** As `KeyboardEvent.key`, lower case. */
+  readonly key: string;
+  /** One sentence for the help and the tooltip. */
+  readonly does: string;
+}
+
+/** All tools, in the order of the strip. */
+export const toolFaces: readonly ToolFace[] = [
+  { id: 'turn', title: 'Turn', key: 'v', does: 'Turn and move the view.' },
+  { id: 'select', title: 'Select', key: 'q', does: 'Choose a part of the mesh, to hold, move or name it.' },
+  { id: 'move', title: 'Move', key: 'w', does: 'Hold parts still and pull others; the rest follows.' },
+  { id: 'paint', title: 'Paint', key: 'd', does: 'Paint where the style is strong and where it is not.' },
+  { id: 'cube', title: 'Cube', key: 'c', does: 'Turn and stretch the cube that the mesh is drawn to.' },
+];
+
+/** The tools there are, of which one is in the hand. */
+export class ToolBelt {
+  readonly #store: PageStore;
+  readonly #interaction: Interaction | null;
+  readonly #tools: ReadonlyMap<ToolId, Tool>;
+
+  /** @param interaction null where nothing is drawn: then the view is all there is */
+  constructor(store: PageStore, interaction: Interaction | null, tools: ReadonlyMap<ToolId, Tool>) {
+    this.#store = store;
+    this.#interaction = interaction;
+    this.#tools = tools;
+  }
+
+  /** The tools that can be taken here. */
+  get faces(): readonly ToolFace[] {
+    return toolFaces.filter(({ id }) => id === 'turn' || (this.#interaction && this.#tools.has(id)));
+  }
+
+  get current(): Tool | null {
+    return this.#tools.get(this.#store.state.tool) ?? null;
+  }
+
+  choose(id: ToolId): void {
+    if (id === this.#store.state.tool || !this.faces.some((face) => face.id === id)) return;
+    this.#interaction?.setTool(null);
+    this.current?.leave();
+    this.#store.set({ tool: id });
+    this.current?.enter();
+    this.#interaction?.setTool(this.current);
+  }
+
+  /** A key for the tool in the hand, or one that takes another. @returns whether it was one */
+  key(event: KeyboardEvent): boolean {
+    if (event.key === 'Escape' && this.#interaction?.cancel()) return true;
+    if (this.current?.key?.(event)) return true;
+    if (event.ctrlKey || event.metaKey || event.altKey) return false;
+    const face = this.faces.find(({ key }) => key === event.key.toLowerCase());
+    if (!face) return false;
+    this.choose(face.id);
+    return true;
+  }
+}
