@@ -1,6 +1,6 @@
 import { DoubleSide, Ray, Raycaster, Sphere, Vector2, Vector3 } from 'three';
 import { INTERSECTED, type MeshBVH, NOT_INTERSECTED } from 'three-mesh-bvh';
-import { distance, doubledAreaVector, row, scale, unit, type Vec3 } from '../../mesh/vectors.ts';
+import { distance, doubledAreaVector, row, subtract, unit, type Vec3 } from '../../mesh/vectors.ts';
 import type { CanvasPointer } from '../canvas-tool.ts';
 import type { Surface } from '../surface.ts';
 import type { ShapeChange, Viewer } from '../viewer.ts';
@@ -200,7 +200,7 @@ export class Picking {
       corners,
       weights: weightsOf(found.point.toArray() as Vec3, a, b, c),
       point: this.#toFile(found.point),
-      normal: isSeenFromBehind ? scale(outward, -1) : outward,
+      normal: isSeenFromBehind ? subtract([0, 0, 0], outward) : outward,
     };
   }
 
