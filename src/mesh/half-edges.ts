@@ -13,22 +13,40 @@ const lastCorner = (corner: number): number => (corner % 3 === 0 ? corner + 2 : 
 
 /** @param triangles #F×3   @param vertices #V */
 export function halfEdgesOf(triangles: Uint32Array, vertices: number): HalfEdges {
+  const passes = halfEdgePasses(triangles, vertices);
+  for (;;) {
+    const pass = passes.next();
+    if (pass.done) return pass.value;
+  }
+}
+
+/** The passes of {@link halfEdgesOf}, for those who must not stop for long: tens of milliseconds each at half a million faces. */
+export function* halfEdgePasses(
+  triangles: Uint32Array,
+  vertices: number,
+): Generator<void, HalfEdges, undefined> {
   const low = new Uint32Array(triangles.length);
   const high = new Uint32Array(triangles.length);
   const all = new Uint32Array(triangles.length);
   let count = 0;
   for (let c = 0; c < triangles.length; c++) {
-    const [v, w] = [triangles[c]!, triangles[nextCorner(c)]!];
+    const v = triangles[c]!;
+    const w = triangles[nextCorner(c)]!;
     low[c] = Math.min(v, w);
     high[c] = Math.max(v, w);
     if (v !== w && high[c]! < vertices) all[count++] = c;
   }
+  yield;
   // Sorting by the second end, then by the first and keeping the order: linear, hubs of many edges included.
-  const corners = countingSort(countingSort(all.subarray(0, count), high, vertices), low, vertices);
+  const byHigh = countingSort(all.subarray(0, count), high, vertices);
+  yield;
+  const corners = countingSort(byHigh, low, vertices);
+  yield;
   const start = new Uint32Array(count + 1);
   let edges = 0;
   for (let i = 0; i < count; i++) {
-    const [c, before] = [corners[i]!, corners[i - 1]!];
+    const c = corners[i]!;
+    const before = corners[i - 1]!;
     if (i === 0 || low[c] !== low[before] || high[c] !== high[before]) start[edges++] = i;
   }
   start[edges] = count;

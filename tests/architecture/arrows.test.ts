@@ -11,6 +11,7 @@ const typescriptArrows: Record<string, string[]> = {
   'src/engine': ['src/io', 'src/methods', 'src/mesh', 'wasm/dist'],
   'src/recipe': ['src/inputs', 'src/engine', 'src/methods', 'src/mesh'],
   'src/measures': ['src/inputs', 'src/methods', 'src/mesh'],
+  'src/selection': ['src/mesh'],
   'src/viewer': ['src/mesh'],
   'src/editor': [
     'src/recipe',
@@ -34,6 +35,7 @@ const typescriptArrows: Record<string, string[]> = {
   web: [
     'src/editor',
     'src/viewer',
+    'src/selection',
     'src/measures',
     'src/recipe',
     'src/inputs',

@@ -1,0 +1,128 @@
+import { discAround } from './disc.ts';
+import { facesInside, facesOfPart, facesOfPatch, outlineOf, verticesOfFaces } from './face-sets.ts';
+import { membersOf } from './labels.ts';
+import { boundaryLoop, featureLoop } from './loops.ts';
+import { type Hit, nearestFeature, nearestVertex } from './near-pointer.ts';
+import type { Surface } from './surface.ts';
+import { faceCount } from './topology.ts';
+
+/** What a click would take. */
+export interface Candidate {
+  readonly kind: 'vertex' | 'rim' | 'line' | 'patch' | 'part' | 'spot';
+  /** Welded vertices, each once. */
+  readonly vertices: Uint32Array;
+  /** #×2 welded vertices: the lines to draw. */
+  readonly edges: Uint32Array;
+  /** Faces to tint, of those that the solver takes; none for lines and vertices. */
+  readonly faces: Uint32Array;
+  /** In words, such as "a smooth patch of 412 vertices". */
+  readonly sentence: string;
+}
+
+export interface CandidateOptions {
+  /** Take the one vertex that is nearest, default false. */
+  readonly oneVertex?: boolean;
+  /** Take the whole part, default false. */
+  readonly wholePart?: boolean;
+  /** File units: how large a spot is on a shape that has no lines to go by. */
+  readonly spot: number;
+}
+
+/**
+ * What a person means who clicks there: a line of the shape if one is near, the rim of an opening before others; else the smooth
+ * patch up to the lines around it; where that is all of a part, the part. A shape of one part without any lines, such as a figure,
+ * would be taken as a whole, which nobody means who points at its ear: there it is a round spot, the first dab of a brush.
+ */
+export function candidateAt(surface: Surface, hit: Hit, options: CandidateOptions): Candidate {
+  if (options.oneVertex) return oneVertex(nearestVertex(surface, hit));
+  if (options.wholePart) return partOf(surface, hit.face);
+  const near = nearestFeature(surface, hit);
+  if (near) return lineAt(surface, near.edge, near.isBorder);
+  const patch = facesOfPatch(surface, hit.face).length;
+  const part = facesOfPart(surface, hit.face).length;
+  if (patch < part) return patchOf(surface, hit.face);
+  if (part < faceCount(surface.topology)) return partOf(surface, hit.face);
+  return spotAt(surface, hit, options.spot);
+}
+
+/** The part that a face belongs to. */
+export function partOf(surface: Surface, face: number): Candidate {
+  const { topology, parts } = surface;
+  const part = parts.of[topology.triangles[3 * face]!]!;
+  return remembered(surface, `part ${part}`, () => {
+    const vertices = membersOf(parts, part);
+    const faces = facesOfPart(surface, face);
+    const whole = parts.count === 1 ? 'the whole shape' : 'a separate part';
+    return { kind: 'part', vertices, edges: noEdges, faces, sentence: `${whole}, ${told(vertices)}` };
+  });
+}
+
+/** The smooth patch that a face belongs to. */
+export function patchOf(surface: Surface, face: number): Candidate {
+  const patch = surface.patches.of[face]!;
+  return remembered(surface, `patch ${patch}`, () => {
+    const faces = facesOfPatch(surface, face);
+    const vertices = verticesOfFaces(surface, faces);
+    const edges = outlineOf(surface, patch);
+    return { kind: 'patch', vertices, edges, faces, sentence: `a smooth patch of ${told(vertices)}` };
+  });
+}
+
+function lineAt(surface: Surface, edge: number, isBorder: boolean): Candidate {
+  const edges = isBorder ? boundaryLoop(surface, edge) : featureLoop(surface, edge);
+  const { ends } = surface.topology;
+  const drawn = new Uint32Array(2 * edges.length);
+  edges.forEach((one, i) => {
+    drawn.set(ends.subarray(2 * one, 2 * one + 2), 2 * i);
+  });
+  const vertices = Uint32Array.from(new Set(drawn));
+  const what = isBorder
+    ? 'the rim of an opening'
+    : vertices.length === edges.length
+      ? 'an edge all around'
+      : 'an edge';
+  return {
+    kind: isBorder ? 'rim' : 'line',
+    vertices,
+    edges: drawn,
+    faces: noFaces,
+    sentence: `${what}, ${told(vertices)}`,
+  };
+}
+
+function spotAt(surface: Surface, hit: Hit, radius: number): Candidate {
+  const vertices = discAround(surface, hit, radius);
+  return {
+    kind: 'spot',
+    vertices,
+    edges: noEdges,
+    faces: facesInside(surface, vertices),
+    sentence: `a round spot of ${told(vertices)}; this shape has no edges to go by, so drag to brush, or draw a lasso`,
+  };
+}
+
+function oneVertex(vertex: number): Candidate {
+  const vertices = Uint32Array.of(vertex);
+  return { kind: 'vertex', vertices, edges: noEdges, faces: noFaces, sentence: 'one vertex' };
+}
+
+const noEdges = new Uint32Array(0);
+const noFaces = new Uint32Array(0);
+
+const count = new Intl.NumberFormat('en');
+
+/** "1 vertex", "22,592 vertices". */
+function told({ length }: ArrayLike<number>): string {
+  return length === 1 ? '1 vertex' : `${count.format(length)} vertices`;
+}
+
+const made = new WeakMap<Surface, Map<string, Candidate>>();
+
+/** Patches and parts can be large: a pointer that stays on one finds it made. */
+function remembered(surface: Surface, key: string, make: () => Candidate): Candidate {
+  const ofSurface = made.get(surface) ?? new Map<string, Candidate>();
+  made.set(surface, ofSurface);
+  const candidate = ofSurface.get(key) ?? make();
+  ofSurface.set(key, candidate);
+  return candidate;
+}

@@ -1,0 +1,21 @@
+export { type Candidate, type CandidateOptions, candidateAt, partOf } from './candidate.ts';
+export { discAround, placeOf, type SurfacePoint } from './disc.ts';
+export { facesInside } from './face-sets.ts';
+export { defaultFeatureAngle } from './features.ts';
+export { aloneIn, type MirrorMap, type MirrorPlane, mirrored, mirrorMap } from './mirror.ts';
+export type { Hit, ScreenPoint } from './near-pointer.ts';
+export { boxRegion, type ScreenRegion, verticesInside } from './screen-region.ts';
+export {
+  type Combination,
+  combined,
+  everything,
+  grown,
+  inverted,
+  nothing,
+  piecesOf,
+  type Selection,
+  selectedVertices,
+  shrunk,
+} from './selection.ts';
+export { type Surface, type SurfaceOptions, surfaceOf } from './surface.ts';
+export { atOnce, inSlices, type SliceOptions, type Work } from './work.ts';
