@@ -34,6 +34,7 @@ export type { ParameterDescriptor, ParameterValue, ParameterValues } from './met
 export {
   type Asset,
   formatRecipe,
+  type Group,
   parseRecipe,
   type Recipe,
   type RecipeRun,

@@ -1,6 +1,6 @@
 import { findMethod, methods } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
-import type { Recipe, Resolver } from '../recipe/index.ts';
+import { checkGroups, type Recipe, type Resolver } from '../recipe/index.ts';
 import type { OpenedFile } from './open-file.ts';
 import { type Assets, activeStep, type Project } from './project.ts';
 import { startingStep, styleParameter } from './starting-step.ts';
@@ -12,7 +12,7 @@ export interface Beginning {
   readonly method?: string;
   /** Values that are not to be those that suit the mesh. */
   readonly parameters?: ParameterValues;
-  /** A whole stack, in place of one step of {@link method}. */
+  /** A whole stack with its groups, in place of one step of {@link method}. */
   readonly recipe?: Recipe;
   /** What the steps name. */
   readonly assets?: Assets;
@@ -22,7 +22,7 @@ export interface Beginning {
  * The project that a file begins as, not solved yet.
  *
  * @param last what was done to the mesh before it, if there was one
- * @throws WhittleError as the style that it is to have cannot be read
+ * @throws WhittleError as the style that it is to have cannot be read, or groups name vertices that the mesh has not
  */
 export async function beginProject(
   file: OpenedFile,
@@ -33,11 +33,13 @@ export async function beginProject(
   const kept = begin.method || begin.recipe ? null : keptStyle(last);
   const method = findMethod(begin.method ?? kept?.method ?? '') ?? methods[0]!;
   const given = { ...kept?.parameters, ...begin.parameters };
-  const recipe = begin.recipe ?? { steps: [await startingStep(method, given, file, resolver)] };
+  const recipe: Recipe = begin.recipe ?? { steps: [await startingStep(method, given, file, resolver)] };
   const steps = recipe.steps.map(newStep);
   const { source, mesh, report } = file;
+  const { groups = [] } = recipe;
+  checkGroups(groups, mesh.positions.length / 3);
   const assets: Assets = begin.assets ?? kept?.assets ?? new Map();
-  return { source, mesh, report, steps, active: steps.at(-1)!.id, assets };
+  return { source, mesh, report, steps, active: steps.at(-1)!.id, assets, groups };
 }
 
 interface KeptStyle {

@@ -4,7 +4,14 @@ import type { Format } from '../io/index.ts';
 import { toFailure } from '../mesh/failure.ts';
 import { findMethod } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
-import { type Recipe, type RecipeStep, Resolver, type Surroundings } from '../recipe/index.ts';
+import {
+  checkGroups,
+  type Group,
+  type Recipe,
+  type RecipeStep,
+  Resolver,
+  type Surroundings,
+} from '../recipe/index.ts';
 import { type Beginning, beginProject } from './begin-project.ts';
 import { amend, record, redo, undo } from './history.ts';
 import { LiveSolver } from './live-solver.ts';
@@ -202,6 +209,15 @@ export class Editor {
   switchStep(id: number, isOn: boolean): void {
     const label = isOn ? 'Switch a step on' : 'Switch a step off';
     this.#change((project) => switchStep(project, id, isOn), label);
+  }
+
+  /** Names vertices, or takes names away: see `groups.ts`. @throws WhittleError if a group names vertices that the mesh has not */
+  changeGroups(changed: (groups: readonly Group[]) => readonly Group[], label: string): void {
+    this.#change((project) => {
+      const groups = changed(project.groups);
+      checkGroups(groups, project.mesh.positions.length / 3);
+      return groups === project.groups ? project : { ...project, groups };
+    }, label);
   }
 
   /** Makes a step the one that is edited. No entry for undo: nothing of the shape changes. */

@@ -4,7 +4,7 @@ import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { movedMesh } from '../mesh/weld.ts';
 import { findMethod } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
-import type { Asset, RecipeStep, StepRun } from '../recipe/index.ts';
+import type { Asset, Group, RecipeStep, StepRun } from '../recipe/index.ts';
 
 /** The file as it came. */
 export interface Source {
@@ -74,6 +74,8 @@ export interface Project {
   /** The id of the step that is being edited. */
   readonly active: number;
   readonly assets: Assets;
+  /** No two have the same name. */
+  readonly groups: readonly Group[];
 }
 
 /** The step that is being edited. */

@@ -3,9 +3,10 @@ import type { ParameterValue, ParameterValues } from '../methods/values/index.ts
 import type { Recipe, RecipeStep } from '../recipe/index.ts';
 import type { Project } from './project.ts';
 
-/** The steps of a project that are on, without what has its default anyway: what makes the same shape anywhere else. */
-export function recipeOf({ steps }: Project): Recipe {
-  return { steps: steps.filter(({ isOn }) => isOn).map(plainStep) };
+/** The steps of a project that are on, without what has its default anyway: what makes the same shape anywhere else. And its groups. */
+export function recipeOf({ steps: all, groups }: Project): Recipe {
+  const steps = all.filter(({ isOn }) => isOn).map(plainStep);
+  return groups.length > 0 ? { steps, groups } : { steps };
 }
 
 /** A step without the values that have their defaults. */

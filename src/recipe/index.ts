@@ -1,3 +1,4 @@
+export { checkGroups, type Group } from './groups.ts';
 export { formatRecipe, parseRecipe, type Recipe, type RecipeStep } from './recipe.ts';
 export {
   type Asset,

@@ -4,6 +4,7 @@ import { findMethod, methods } from '../methods/registry.ts';
 import { didYouMean } from '../methods/suggest.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
 import { isObject, parseJson } from '../methods/values/json.ts';
+import { type Group, parseGroups } from './groups.ts';
 
 /** One run of a method. Each step begins from the shape that the one before left, as its rest shape. */
 export interface RecipeStep {
@@ -16,13 +17,17 @@ export interface RecipeStep {
 export interface Recipe {
   /** One step or more. */
   readonly steps: readonly RecipeStep[];
+  /** Default: none. */
+  readonly groups?: readonly Group[];
 }
+
+const entries = ['whittle', 'steps', 'groups'];
 
 /** The format's version; a recipe says it as `"whittle": 1`. */
 const version = 1;
 
 /**
- * Reads a recipe and holds it against the method descriptors. Whether handle vertices exist is known only with the mesh.
+ * Reads a recipe and holds it against the method descriptors. Whether the vertices that it names exist is known only with the mesh.
  *
  * @param fileName for the messages, which all begin with it
  * @throws WhittleError `bad-recipe` (JSON or shape; element: line or step), `unknown-method`, `bad-parameter`, `bad-handles`
@@ -36,24 +41,33 @@ export function parseRecipe(text: string, fileName: string): Recipe {
     const found = JSON.stringify(recipe.whittle);
     throw bad(fileName, `this is a recipe of version ${found}; this Whittle reads version ${version}.`);
   }
-  const stranger = Object.keys(recipe).find((key) => key !== 'whittle' && key !== 'steps');
+  const stranger = Object.keys(recipe).find((key) => !entries.includes(key));
   if (stranger !== undefined) {
-    throw bad(fileName, `a recipe has no entry “${stranger}”.${didYouMean(stranger, ['whittle', 'steps'])}`);
+    throw bad(fileName, `a recipe has no entry “${stranger}”.${didYouMean(stranger, entries)}`);
   }
   if (!Array.isArray(recipe.steps) || recipe.steps.length === 0) {
     throw bad(fileName, '“steps” must be a list of one step or more, such as {"method": "cubic"}.');
   }
-  return {
-    steps: recipe.steps.map((step, index) => parseStep(step, `${fileName}, step ${index + 1}`, index)),
-  };
+  const steps = recipe.steps.map((step, index) => parseStep(step, `${fileName}, step ${index + 1}`, index));
+  const groups = parseGroups(recipe.groups, fileName);
+  return groups.length > 0 ? { steps, groups } : { steps };
 }
 
-/** The recipe as text, one step a line, to be read again by {@link parseRecipe}. */
-export function formatRecipe({ steps }: Recipe): string {
-  const lines = steps.map(
-    ({ method, parameters }) => `    ${JSON.stringify({ method, ...parameters }, plainArrays)}`,
-  );
-  return `{\n  "whittle": ${version},\n  "steps": [\n${lines.join(',\n')}\n  ]\n}\n`;
+/** The recipe as text, one step or group a line, to be read again by {@link parseRecipe}. */
+export function formatRecipe({ steps, groups = [] }: Recipe): string {
+  const lists = [
+    listed(
+      'steps',
+      steps.map(({ method, parameters }) => ({ method, ...parameters })),
+    ),
+  ];
+  if (groups.length > 0) lists.push(listed('groups', groups));
+  return `{\n  "whittle": ${version},\n${lists.join(',\n')}\n}\n`;
+}
+
+function listed(name: string, entries: readonly object[]): string {
+  const lines = entries.map((entry) => `    ${JSON.stringify(entry, plainArrays)}`);
+  return `  "${name}": [\n${lines.join(',\n')}\n  ]`;
 }
 
 /** JSON has no typed arrays. */

@@ -65,6 +65,8 @@ test('a recipe is the same as its steps one after the other', async () => {
       { method: 'cubic', lambda: 0.4 },
       { method: 'arap', handles },
     ],
+    // Names for people: no step depends on them.
+    groups: [{ name: 'pole', vertices: [0, 9999] }],
   });
   await desk.write('handles.json', handles);
   const said = await desk.run('run @recipe.json @in.obj --out @out.obj --report @report.json');

@@ -26,6 +26,7 @@ test('a hundred strokes of a field of 8 MB stay inside the budget, the newest of
     ],
     active: 1,
     assets: new Map(),
+    groups: [],
   });
   let history = emptyHistory;
   let before = stroke(0);

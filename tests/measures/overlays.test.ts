@@ -49,6 +49,7 @@ function projectOf(
     steps: [{ ...step, result: result ?? null }],
     active: step.id,
     assets,
+    groups: [],
   };
 }
 
