@@ -31,6 +31,7 @@ export { findMethod, methods } from './methods/registry.ts';
 export type { GaussMap } from './methods/values/gauss-map.ts';
 export type { Handles } from './methods/values/handles.ts';
 export type { ParameterDescriptor, ParameterValue, ParameterValues } from './methods/values/index.ts';
+export type { Plane, Planes } from './methods/values/planes.ts';
 export {
   type Asset,
   formatRecipe,

@@ -9,7 +9,7 @@ export type EncodedValues = ReadonlyMap<string, Encoded>;
 /**
  * Lays checked values out for the core: vertices by their number in the welded mesh.
  *
- * @throws WhittleError `bad-handles` or `bad-parameter`, its element the source vertex, for vertices that the mesh has not and for
+ * @throws WhittleError `bad-handles`, `bad-planes` or `bad-parameter`, its element the source vertex, for vertices that the mesh has not and for
  *   the mere names of styles and images
  */
 export function encodeValues(method: MethodDescriptor, values: ParameterValues, weld: Weld): EncodedValues {

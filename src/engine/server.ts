@@ -164,7 +164,7 @@ class Server {
   }
 }
 
-/** @throws WhittleError `unknown-method`, `bad-parameter`, `bad-handles` */
+/** @throws WhittleError `unknown-method`, `bad-parameter`, `bad-handles`, `bad-planes` */
 function checkedMethod({ method: id, parameters }: SolveSettings): MethodDescriptor {
   const method = findMethod(id);
   if (!method) {

@@ -17,6 +17,7 @@ export const failureCodes = [
   'unknown-method',
   'bad-parameter',
   'bad-handles',
+  'bad-planes',
   'bad-recipe',
   'out-of-memory',
   'numerical-failure',

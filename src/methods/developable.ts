@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { handles, iterations, parts, strengthByVertex } from './shared-parameters.ts';
+import { handles, iterations, parts, planes, strengthByVertex } from './shared-parameters.ts';
 
 export const developable: MethodDescriptor = {
   id: 'developable',
@@ -34,6 +34,7 @@ export const developable: MethodDescriptor = {
     },
     strengthByVertex(1000),
     handles,
+    planes,
     parts,
     iterations(150),
   ],

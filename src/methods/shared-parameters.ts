@@ -2,6 +2,7 @@ import type { ChoiceParameter } from './values/choice.ts';
 import type { HandlesParameter } from './values/handles.ts';
 import type { ParameterDescriptor } from './values/index.ts';
 import type { NumberParameter } from './values/number.ts';
+import type { PlanesParameter } from './values/planes.ts';
 import type { ScalarsParameter } from './values/scalars.ts';
 
 export const handles: HandlesParameter = {
@@ -10,6 +11,15 @@ export const handles: HandlesParameter = {
   label: 'Handles',
   doc: 'Vertices held at given places, in the file’s units; a part without a handle keeps its centre.',
   invalidates: 'system',
+};
+
+export const planes: PlanesParameter = {
+  name: 'planes',
+  kind: 'planes',
+  label: 'Planes',
+  doc: 'Vertices that stay on a plane, normal·x = offset in the file’s units (2019, §4); along its planes a part keeps its centre.',
+  invalidates: 'system',
+  advanced: true,
 };
 
 export const parts: ChoiceParameter = {
@@ -90,6 +100,7 @@ export function iterations(usual: number): NumberParameter {
 /** What every local/global method with targets that stay ends its list with. */
 export const shared: readonly ParameterDescriptor[] = [
   handles,
+  planes,
   parts,
   acceleration,
   stopOn,

@@ -30,7 +30,8 @@ const version = 1;
  * Reads a recipe and holds it against the method descriptors. Whether the vertices that it names exist is known only with the mesh.
  *
  * @param fileName for the messages, which all begin with it
- * @throws WhittleError `bad-recipe` (JSON or shape; element: line or step), `unknown-method`, `bad-parameter`, `bad-handles`
+ * @throws WhittleError `bad-recipe` (JSON or shape; element: line or step), `unknown-method`, `bad-parameter`, `bad-handles`,
+ * `bad-planes`
  */
 export function parseRecipe(text: string, fileName: string): Recipe {
   const recipe = parseJson(text, fileName);

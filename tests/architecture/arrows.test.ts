@@ -53,7 +53,7 @@ const coreArrows: Record<string, string[]> = {
   geometry: ['mesh', 'simd', 'base'],
   linear: ['simd', 'base'],
   targets: ['geometry', 'mesh', 'simd', 'base'],
-  constraints: ['geometry', 'mesh', 'simd', 'base'],
+  constraints: ['geometry', 'linear', 'mesh', 'simd', 'base'],
   methods: ['constraints', 'targets', 'linear', 'geometry', 'mesh', 'simd', 'base'],
   session: ['methods', 'constraints', 'targets', 'mesh', 'base'],
 };

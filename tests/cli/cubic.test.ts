@@ -87,3 +87,9 @@ test.each(wrong)('whittle cubic %s ends with %i in one line', async (flags, code
   expect(said.stderr.trimEnd().split('\n')).toHaveLength(1);
   expect(await desk.list()).not.toContain('out.obj');
 });
+
+test('planes come from a file', async () => {
+  await desk.write('planes.json', [{ vertices: [0, 5, 9], normal: [0, 0, 2], offset: 1 }]);
+  const flat = await carved('--planes @planes.json');
+  for (const vertex of [0, 5, 9]) expect(flat[3 * vertex + 2]).toBeCloseTo(0.5, 9);
+});

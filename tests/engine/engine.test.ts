@@ -98,6 +98,8 @@ const bad: [string, SolveSettings, string, RegExp][] = [
   ['targets missing', handle([1, 2], [[0, 0, 0]]), 'bad-handles', /2 vertices and 1 targets/],
   ['a target not finite', handle([1], [[0, Infinity, 0]]), 'bad-handles', /entry 0 is \[0,"Infinity",0\]/],
   ['a vertex twice', handle([1, 1], [[0, 0, 0], [1, 0, 0]]), 'bad-handles', /vertex 1 two different/], // biome-ignore format: short
+  ['a plane of no such vertex', settings({ planes: [{ vertices: [5], normal: [1, 0, 0], offset: 0 }] }), 'bad-planes', /vertex 5 in plane 0.*5 vertices/], // biome-ignore format: short
+  ['a plane without a direction', settings({ planes: [{ vertices: [1], normal: [0, 0, 0], offset: 0 }] }), 'bad-planes', /plane 0 is \[0,0,0\]/], // biome-ignore format: short
   ['a seam torn', handle([0, 2], [[0, 0, 0], [1, 0, 0]]), 'bad-handles', /vertices 0 and 2 different/], // biome-ignore format: short
 ];
 function handle(vertices: number[], targets: [number, number, number][]): SolveSettings {

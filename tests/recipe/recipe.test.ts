@@ -101,6 +101,24 @@ const refused: [string, string, RegExp][] = [
   ],
   [step('{"method": "arap", "handles": [1]}'), 'bad-handles', /“handles” must be \{"vertices"/],
   [step('{"method": "arap", "handles": {"vertices": [1]}}'), 'bad-handles', /both lists/],
+  [step('{"method": "arap", "planes": {}}'), 'bad-planes', /“planes” must be \[\{"vertices"/],
+  [
+    step('{"method": "arap", "planes": [{"normal": [1, 0, 0]}]}'),
+    'bad-planes',
+    /plane 0 has no list of vertices/,
+  ],
+  [step('{"method": "arap", "planes": [{"vertices": [-1]}]}'), 'bad-planes', /entry 0 of plane 0 is -1/],
+  [
+    step('{"method": "arap", "planes": [{"vertices": [1], "normal": [1, 0]}]}'),
+    'bad-planes',
+    /normal .*is \[1,0\]/,
+  ],
+  [
+    step('{"method": "arap", "planes": [{"vertices": [1], "normal": [1, 0, 0]}]}'),
+    'bad-planes',
+    /as offset a finite/,
+  ],
+  [step('{"method": "arap", "planes": [{"vertices": [1], "normal": [1, 0, 0], "offset": 1, "at": 2}]}'), 'bad-planes', /“at” too many/], // biome-ignore format: short
   [
     step('{"method": "arap", "handles": {"vertices": [-1], "targets": [[0,0,0]]}}'),
     'bad-handles',

@@ -49,6 +49,8 @@ WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
 ///                     triangles #T×3, numbers are points on the sphere, #P×3, then a normal for each point or triangle
 ///   textureSlopes     numbers are texture coordinates, then slopes of the faces' corners, both 3·#F×2
 ///   handles           indices are vertices as they were loaded, numbers their targets, #handles×3 in the file's units
+///   planes            indices are, plane by plane, how many vertices it holds and these; numbers a normal of any length
+///                     but zero and an offset for each, normal·x = offset in the file's units
 WHITTLE_API int whittle_set_value(WhittleSession* session, const char* parameter, const char* name,
                                   const double* numbers, int32_t number_count, const int32_t* indices,
                                   int32_t index_count);

@@ -4,6 +4,7 @@ import { flag } from './flag.ts';
 import { handles } from './handles.ts';
 import { number } from './number.ts';
 import type { Encoded, Parameter, ValueHelp, ValueKind } from './parameter.ts';
+import { planes } from './planes.ts';
 import { rotation } from './rotation.ts';
 import { rotations } from './rotations.ts';
 import { scalars } from './scalars.ts';
@@ -24,6 +25,7 @@ const kinds = {
   style,
   textureSlopes,
   handles,
+  planes,
 };
 
 type Kind = (typeof kinds)[keyof typeof kinds];
@@ -48,7 +50,7 @@ export type ParameterValues = Readonly<Record<string, ParameterValue>>;
 
 /** What is wrong with a value, as data; recipe, engine and command line make their own error of it. */
 export interface ParameterProblem {
-  readonly code: 'bad-parameter' | 'bad-handles';
+  readonly code: 'bad-parameter' | 'bad-handles' | 'bad-planes';
   readonly parameter: string;
   /** One sentence that names the parameter, the value and what is allowed. */
   readonly message: string;

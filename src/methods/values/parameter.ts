@@ -41,7 +41,7 @@ export interface ValueKind<Descriptor extends Parameter, Value> {
   /** What is wrong with a value: the rest of a sentence that begins with the parameter's name. Undefined if nothing is. */
   readonly problem: (descriptor: Descriptor, value: unknown) => string | undefined;
   /** The code of a refusal; default `bad-parameter`. */
-  readonly code?: 'bad-handles';
+  readonly code?: 'bad-handles' | 'bad-planes';
   /**
    * Lays a value out for the core, vertices by their number in the welded mesh.
    *

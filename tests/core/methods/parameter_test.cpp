@@ -30,6 +30,7 @@ struct Everything {
   std::shared_ptr<const GaussMap> style;
   std::shared_ptr<const TextureSlopes> texture;
   Handles handles;
+  Planes planes;
   Group group{9};
 };
 
@@ -46,7 +47,8 @@ ParameterList<Everything> everything() {
        bind("rotations", &P::rotations, Stale::weights, RotationsKind{}),
        bind("style", &P::style, Stale::weights, StyleKind{}),
        bind("texture", &P::texture, Stale::weights, TextureSlopesKind{}),
-       bind("handles", &P::handles, Stale::system, HandlesKind{})},
+       bind("handles", &P::handles, Stale::system, HandlesKind{}),
+       bind("planes", &P::planes, Stale::system, PlanesKind{})},
       &P::group, {bind("count", &Group::count, Stale::targets, IntegerKind{{0, 20}})});
 }
 
@@ -108,6 +110,7 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
                {"style", encoded(tetrahedron(GaussMapData::Kind::closest)), Stale::weights},
                {"texture", encoded(textureOn(bench.mesh)), Stale::weights},
                {"handles", encoded(Handles{{2}, Points::Ones(1, 3)}), Stale::system},
+               {"planes", encoded(Planes{{{2, 3}, Vec3(1, 2, 3), 4}}), Stale::system},
                {"count", encoded(8), Stale::targets}};
   for (const auto& one : cases) {
     INFO(one.parameter);
@@ -126,6 +129,7 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
   CHECK(set.style->data() == tetrahedron(GaussMapData::Kind::closest));
   CHECK(*set.texture == textureOn(bench.mesh));
   CHECK(set.handles.vertices == std::vector<Index>{2});
+  CHECK(set.planes.at(0).vertices == std::vector<Index>{2, 3});
   CHECK(set.group.count == 8);
 
   for (const auto& one : cases) {
@@ -138,6 +142,7 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
   CHECK(set.scalars.size() == 0);
   CHECK(!set.style);
   CHECK(set.handles.vertices.empty());
+  CHECK(set.planes.empty());
   CHECK(set.group.count == 9);  // what the method has for a default, not what the group has
 }
 
@@ -160,13 +165,27 @@ TEST_CASE("handles have their targets in the unit frame, and other targets leave
   CHECK(bench.set("handles", encoded(Handles{{3}, 2 * target})) == Stale::system);
 }
 
+TEST_CASE("planes stand in the unit frame, and those that are shifted leave the system as it is") {
+  Bench bench;
+  const Vec3 normal(0.5, -2, 1), point(3, 1, -4);
+  bench.set("planes", encoded(Planes{{{2}, normal, normal.dot(point)}, {{}, Vec3::UnitX(), 1}}));
+  const Planes& planes = bench.values.values().planes;
+  REQUIRE(planes.size() == 2);
+  CHECK(planes[0].normal.norm() == doctest::Approx(1).epsilon(1e-15));
+  CHECK(planes[0].normal.dot(bench.context().frame.toUnit(point)) == doctest::Approx(planes[0].offset).epsilon(1e-15));
+  CHECK(bench.set("planes", encoded(Planes{{{2}, normal, 7}, {{}, Vec3::UnitX(), 2}})) == Stale::targets);
+  CHECK(bench.set("planes", encoded(Planes{{{2}, normal, 7}, {{1}, Vec3::UnitX(), 2}})) == Stale::system);
+  CHECK(bench.set("planes", encoded(Planes{{{2}, -normal, 7}, {{1}, Vec3::UnitX(), 2}})) == Stale::system);
+  CHECK(bench.set("planes", encoded(Planes{{{2}, -normal, 7}})) == Stale::system);
+}
+
 TEST_CASE("what a kind cannot read is refused with the parameter's name, and the value stays") {
   Bench bench;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refuses = [&](const char* parameter, const EncodedValue& value) {
     const Status status = bench.refusal(parameter, value);
     INFO(parameter << ": " << status.message);
-    CHECK((status.code == Code::badParameter || status.code == Code::badHandles));
+    CHECK((status.code == Code::badParameter || status.code == Code::badHandles || status.code == Code::badPlanes));
     CHECK(status.message.size() > 15);
   };
   for (const double bad : {-0.1, 1.1, nan}) refuses("number", encoded(bad));
@@ -194,12 +213,22 @@ TEST_CASE("what a kind cannot read is refused with the parameter's name, and the
   refuses("texture", encoded(Scalars::Ones(8)));
   refuses("handles", encoded(Handles{{4}, Points::Zero(1, 3)}));
   refuses("handles", EncodedValue{"", {0, 0}, {1}});
+  refuses("planes", encoded(Planes{{{4}, Vec3::UnitX(), 0}}));
+  refuses("planes", encoded(Planes{{{-1}, Vec3::UnitX(), 0}}));
+  refuses("planes", encoded(Planes{{{1}, Vec3::Zero(), 0}}));
+  refuses("planes", encoded(Planes{{{1}, Vec3::UnitX(), nan}}));
+  refuses("planes", encoded(Planes{{{1}, Vec3::UnitX(), 0}, {{1}, Vec3::UnitX(), 0.001}}));
+  refuses("planes", EncodedValue{"", {1, 0, 0, 0}, {2, 1}});
+  refuses("planes", EncodedValue{"", {1, 0, 0, 0}, {-1}});
+  refuses("planes", EncodedValue{"", {1, 0, 0}, {1, 1}});
+  refuses("planes", EncodedValue{"", {1, 0, 0, 0, 1, 0, 0, 0}, {1, 1}});
   refuses("colours", encoded("red"));
   const Everything usual, &values = bench.values.values();
   CHECK(values.number == usual.number);
   CHECK(values.colour == usual.colour);
   CHECK(values.matrix == usual.matrix);
   CHECK(values.handles.vertices.empty());
+  CHECK(values.planes.empty());
 }
 
 TEST_CASE("what belongs to vertices goes into their order, all else stays") {
@@ -208,6 +237,7 @@ TEST_CASE("what belongs to vertices goes into their order, all else stays") {
   bench.set("scalars", encoded(Scalars::LinSpaced(4, 0, 3)));
   bench.set("rotations", encoded(Scalars::LinSpaced(16, 0, 15)));
   bench.set("handles", encoded(Handles{{1, 3}, Points::Zero(2, 3)}));
+  bench.set("planes", encoded(Planes{{{1, 3}, Vec3::UnitZ(), 0}}));
   const VertexOrder order({2, 0, 3, 1});
   BoundValues<Everything> ordered(everything());
   ordered.takeOrdered(bench.values, order);
@@ -219,6 +249,7 @@ TEST_CASE("what belongs to vertices goes into their order, all else stays") {
     CHECK(values.rotations(place, 3) == 4 * order.vertexAt(place) + 3);
   }
   CHECK(values.handles.vertices == std::vector<Index>{3, 2});
+  CHECK(values.planes[0].vertices == std::vector<Index>{3, 2});
 }
 
 TEST_CASE("parameters describe themselves") {

@@ -14,6 +14,7 @@ const char* codeName(Code code) {
     case Code::unknownMethod: return "unknown-method";
     case Code::badParameter: return "bad-parameter";
     case Code::badHandles: return "bad-handles";
+    case Code::badPlanes: return "bad-planes";
     case Code::numericalFailure: return "numerical-failure";
   }
   return "internal";

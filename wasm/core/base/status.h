@@ -19,6 +19,7 @@ enum class Code {
   unknownMethod,
   badParameter,
   badHandles,
+  badPlanes,
   numericalFailure,
 };
 

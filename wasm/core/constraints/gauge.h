@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "constraints/planes.h"
 #include "mesh/adjacency.h"
 #include "simd/lanes.h"
 
@@ -9,31 +10,47 @@ namespace whittle {
 
 /// Holds every part that no handle holds: the energy does not see where such a part lies, so each is solved with one of
 /// its vertices pinned and then moved back to where its area centroid was. One pin for all parts would leave the system
-/// singular, and would throw the parts together.
+/// singular, and would throw the parts together. A part on planes is loose along those directions only that lie in all
+/// of them: along these it is pinned and keeps its centroid, and across them the planes say where it is.
 class Gauge {
  public:
   /// @param areas #V barycentric areas of the rest shape, the centroid's weights
-  Gauge(const Components& components, const std::vector<Index>& handles, const Points& rest, const Scalars& areas);
+  /// @param planes that vertices are held on
+  Gauge(const Components& components, const std::vector<Index>& handles, const Points& rest, const Scalars& areas,
+        const Planes& planes = {});
 
-  /// One vertex of each part without a handle.
+  /// One vertex of each part that neither a handle nor a plane holds.
   const std::vector<Index>& pins() const { return pins_; }
+  /// What holds one vertex of each part on planes along the directions in which it is loose.
+  const std::vector<RowPlane>& pinPlanes() const { return pinPlanes_; }
 
-  /// Moves each part without a handle so that its centroid lies where it lay at rest. Allocates nothing.
+  /// Moves each loose part so that its centroid lies where it lay at rest, as far as its planes let it. Allocates
+  /// nothing.
   void restoreCentroids(Points& positions);
 
-  /// Finds how far each part without a handle has to move, besides these moves of displaced vertices, for its centroid
-  /// to lie where it lay at rest. Allocates nothing.
+  /// Finds how far each loose part has to move, besides these moves of displaced vertices, for its centroid to lie where
+  /// it lay at rest, as far as its planes let it. Allocates nothing.
   void balance(const LaneRows& displacements, const LaneRows& moves);
-  /// Translation of vertex v's component as `balance` found it; zero where the component has a handle.
-  Lanes shift(std::size_t v) const { return load(&laneShifts_[floatingPart_[v] + 1]); }
+  /// Translation of vertex v's component as `balance` found it; zero where the component is held.
+  Lanes shift(std::size_t v) const { return load(&laneShifts_[loosePart_[v] + 1]); }
 
  private:
-  void sumCentroids(const Points& positions, Points& centroids) const;
+  /// A loose part that is on planes.
+  struct Slide {
+    Index part;
+    Mat3 along;  // what a move has along them
+  };
 
-  std::vector<Index> floatingPart_;  // #V, index of the part without handle, or −1; filled up to whole batches
-  std::vector<Index> pins_;          // #parts without handle
-  Scalars weights_;                  // #V, sums to 1 in each part
-  Points restCentroids_;             // #parts without handle ×3
+  void weighCentroids(const Points& rest, const Scalars& areas);
+  void sumCentroids(const Points& positions, Points& centroids) const;
+  void keepOnPlanes(Points& shifts) const;
+
+  std::vector<Index> loosePart_;  // #V, index of the loose part, or −1; filled up to whole batches
+  std::vector<Index> pins_;
+  std::vector<RowPlane> pinPlanes_;
+  std::vector<Slide> slides_;
+  Scalars weights_;       // #V, sums to 1 in each loose part
+  Points restCentroids_;  // #loose parts×3
   Points shifts_;
   std::vector<LaneRow> laneShifts_;  // the same in single precision, after one of zero
 };

@@ -110,12 +110,13 @@ void ConstrainedQuadratic::beginPrepare(SparseMatrix A, std::vector<Index> held,
 /// Joins planes, takes the free block and begins its analysis, if there is something to solve.
 Status ConstrainedQuadratic::begin() {
   Preparation& now = *preparation_;
-  if (Status status = joinPlanes(std::move(now.planes), onPlanes_); !status.ok()) return status;
+  std::vector<HeldRow> onPlanes;
+  if (Status status = joinPlanes(std::move(now.planes), onPlanes); !status.ok()) return status;
   std::vector<bool> isHeld(now.A.rows(), false);
   for (const Index row : held_) isHeld[row] = true;
-  std::erase_if(onPlanes_, [&](const HeldRow& each) { return isHeld[each.row]; });
   std::vector<HeldRow> movable;
-  for (const HeldRow& each : onPlanes_) {
+  for (const HeldRow& each : onPlanes) {
+    if (isHeld[each.row]) continue;
     if (each.freedom > 0) movable.push_back(each);
     if (each.freedom == 0) held_.push_back(each.row);
   }
@@ -186,14 +187,6 @@ void ConstrainedQuadratic::correct(LaneRows& residual) {
   cholesky_.forward(residual.data());
   planeSystem_->solve(residual.data());
   cholesky_.backward(residual.data());
-}
-
-void ConstrainedQuadratic::satisfyPlanes(Points& X) const {
-  for (const HeldRow& each : onPlanes_) {
-    Vec3 x = X.row(each.row).transpose();
-    each.satisfy(x);
-    X.row(each.row) = x.transpose();
-  }
 }
 
 }  // namespace whittle

@@ -35,7 +35,7 @@ class ConstrainedQuadratic {
   /// @param held rows that stay where they are, whatever planes they are on; may hold an index twice
   /// @param ordering of all rows of A, held ones too, in blocks of 1
   /// @param planes may hold several of a row: two hold it on a line, three in a point
-  /// @returns `badHandles` and the row if its planes exclude each other (see `joinPlanes`), `numericalFailure` if what
+  /// @returns `badPlanes` and the row if its planes exclude each other (see `joinPlanes`), `numericalFailure` if what
   ///   is not held is not definite
   Status prepare(SparseMatrix A, const std::vector<Index>& held, const Ordering& ordering = {},
                  const std::vector<RowPlane>& planes = {});
@@ -52,12 +52,9 @@ class ConstrainedQuadratic {
   /// along their planes in those on planes. Allocates nothing. A residual across a slanted plane, the force that holds
   /// the row there, is rounded together with what is along it: there the minimum is met to about 1e-7 of that force.
   /// @param residual rows of X filled up to whole batches, and one more that nobody reads (`paddedRows`)
+  /// Planes are met to single precision then, and `satisfyPlanes` takes off what that has left.
   void correct(LaneRows& residual);
   static std::size_t paddedRows(Index n) { return 4 * batchCount(n) + 1; }
-
-  /// Moves rows of X (#n×3) onto their planes, the shortest way, to double precision. Before the first correction it
-  /// brings them there; after one it takes off what single precision has left.
-  void satisfyPlanes(Points& X) const;
 
  private:
   struct Preparation;
@@ -65,7 +62,6 @@ class ConstrainedQuadratic {
   Status begin();
 
   std::vector<Index> held_;
-  std::vector<HeldRow> onPlanes_;  // rows on planes that are not held
   bool allHeld_ = false;
   SparseCholesky cholesky_;
   std::unique_ptr<PlaneSystem> planeSystem_;  // where rows on planes have freedom left

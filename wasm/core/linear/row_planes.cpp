@@ -7,10 +7,11 @@ namespace whittle {
 
 namespace {
 
-constexpr double kSameNormal = 1e-8;
 constexpr double kSameOffset = 1e-9;
+/// What rounding leaves between a point and a plane that it is on.
+constexpr double kOnPlane = 1e-14;
 
-Status refusal(Index row, const char* why) { return Status::failure(Code::badHandles, why, Element::item(row)); }
+Status refusal(Index row, const char* why) { return Status::failure(Code::badPlanes, why, Element::item(row)); }
 
 /// The direction across q that is nearest to the axis of space farthest from it; an axis if q is one.
 Vec3 across(const Vec3& q) {
@@ -22,7 +23,7 @@ Vec3 across(const Vec3& q) {
 }
 
 /// Adds a plane to those of a row, whose held axes are the last ones.
-Status add(const RowPlane& plane, HeldRow& row) {
+Status add(const RowPlane& plane, double sameNormal, HeldRow& row) {
   const double length = plane.normal.stableNorm();
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(plane.offset)) {
     return refusal(plane.row, "the plane has no direction or place; give it a normal and an offset that are numbers");
@@ -37,7 +38,7 @@ Status add(const RowPlane& plane, HeldRow& row) {
     }
   }
   const double sine = rest.norm();
-  if (row.freedom == 0 || sine < kSameNormal) {
+  if (row.freedom == 0 || sine < sameNormal) {
     if (std::abs(offset) <= kSameOffset) return {};
     return refusal(plane.row, "the vertex is held on planes that do not meet in a point; hold it on fewer of them");
   }
@@ -59,15 +60,26 @@ void complete(HeldRow& row) {
 }  // namespace
 
 void HeldRow::satisfy(Eigen::Ref<Vec3> x) const {
-  for (int k = freedom; k < 3; ++k) x += (held[k] - axes[k].dot(x)) * axes[k];
+  for (int k = freedom; k < 3; ++k) {
+    const double away = held[k] - axes[k].dot(x);
+    if (std::abs(away) > kOnPlane) x += away * axes[k];
+  }
 }
 
-Status joinPlanes(std::vector<RowPlane> planes, std::vector<HeldRow>& rows) {
+void satisfyPlanes(const std::vector<HeldRow>& rows, Points& X) {
+  for (const HeldRow& each : rows) {
+    Vec3 x = X.row(each.row).transpose();
+    each.satisfy(x);
+    X.row(each.row) = x.transpose();
+  }
+}
+
+Status joinPlanes(std::vector<RowPlane> planes, std::vector<HeldRow>& rows, double sameNormal) {
   rows.clear();
   std::stable_sort(planes.begin(), planes.end(), [](const RowPlane& a, const RowPlane& b) { return a.row < b.row; });
   for (const RowPlane& plane : planes) {
     if (rows.empty() || rows.back().row != plane.row) rows.push_back({plane.row, 3, {}, {}});
-    if (Status status = add(plane, rows.back()); !status.ok()) return status;
+    if (Status status = add(plane, sameNormal, rows.back()); !status.ok()) return status;
   }
   for (HeldRow& row : rows) complete(row);
   return {};

@@ -24,15 +24,19 @@ struct HeldRow {
   std::array<Vec3, 3> axes;
   std::array<double, 3> held;  // coordinates along the axes, of the held ones
 
-  /// Moves a point to where it is held, the shortest way.
+  /// Moves a point to where it is held, the shortest way. One that is there but for rounding keeps its very bits.
   void satisfy(Eigen::Ref<Vec3> x) const;
 };
 
 /// Joins the planes of every row, rows ascending. Rows that have the same planes have the same axes, and planes across
-/// an axis of space leave those of the others. Sizes are taken to be about 1: planes whose normals are less than 1e-8
-/// apart are the same one, whose offsets may differ by 1e-9.
-/// @returns `badHandles` with the row as its element if two of its planes exclude each other or a normal has no
+/// an axis of space leave those of the others. Sizes are taken to be about 1: planes that are the same one may have
+/// offsets that differ by 1e-9.
+/// @param sameNormal sine of the angle to the others below which a plane holds nothing that they do not hold
+/// @returns `badPlanes` with the row as its element if two of its planes exclude each other or a normal has no
 ///   direction
-Status joinPlanes(std::vector<RowPlane> planes, std::vector<HeldRow>& rows);
+Status joinPlanes(std::vector<RowPlane> planes, std::vector<HeldRow>& rows, double sameNormal = 1e-8);
+
+/// Moves rows of X (#n×3) onto their planes, to double precision.
+void satisfyPlanes(const std::vector<HeldRow>& rows, Points& X);
 
 }  // namespace whittle

@@ -7,6 +7,7 @@ namespace whittle {
 struct ArapParameters {
   Rigidity regularizer = Rigidity::arap;
   Handles handles;
+  Planes planes;
   Parts parts = Parts::together;
   SolverParameters solver;
 };
@@ -16,7 +17,7 @@ class ArapLocalStep : public LocalStep {
  public:
   using Parameters = ArapParameters;
   static EngineValues engineValues(const ArapParameters& values) {
-    return {values.regularizer, values.handles, values.solver, values.parts};
+    return {values.regularizer, values.handles, values.solver, values.parts, values.planes};
   }
   static Status check(const ArapParameters&) { return {}; }
   static std::vector<std::string> warnings(const ArapParameters& values);

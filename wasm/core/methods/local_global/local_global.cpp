@@ -26,8 +26,7 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
       .add(Stale::all, "collecting the edges", 4, [this, values] { beginCollecting(values().rigidity); })
       .add(Stale::all, "collecting the edges", 8, [this](double& done) { collectEdges(done); })
       .add(Stale::all, "finding where parts touch", 3, [this](double& done) { findContacts(done); })
-      .add(Stale::system, "assembling the system", 4,
-           [this, values] { assembleSystem(values().handles, values().parts); })
+      .add(Stale::system, "assembling the system", 4, [this, values] { assembleSystem(values()); })
       .add(Stale::system, "factoring the system", 80, [this](double& done) { return system_.prepareNext(done); })
       .add(Stale::weights, "preparing the local step", 2,
            [this, prepareStep] {
@@ -35,13 +34,14 @@ std::vector<Stage> LocalGlobal::plan(const TriangleMesh& rest, std::function<Eng
              if (scales_) scales_->prepare(*edges_, localStep_.targetWeights());
            })
       .add(Stale::targets, "taking the settings", 1,
-           [this, values] {
-             const auto [rigidity, handles, solver, parts] = values();
+           [this, values](double&) {
+             const auto [rigidity, handles, solver, parts, planes] = values();
              handles_ = handles;
              accelerationKind_ = solver.acceleration;
              stopping_.quantity = solver.stopOn;
              stopping_.tolerance = solver.tolerance;
              stopping_.maxIterations = solver.maxIterations;
+             return joinPlanes(rowPlanes(planes), onPlanes_);
            })
       .stages();
 }
@@ -94,11 +94,14 @@ void LocalGlobal::claimRunningState() {
   isClaimed_ = true;
 }
 
-void LocalGlobal::assembleSystem(const Handles& handles, Parts parts) {
-  attachments_ = parts == Parts::together ? contacts_ : Attachments();
-  gauge_.emplace(attachments_.tied(components_), handles.vertices, rest_->mesh.positions, rest_->areas);
-  std::vector<Index> held = handles.vertices;
+void LocalGlobal::assembleSystem(const EngineValues& values) {
+  attachments_ = values.parts == Parts::together ? contacts_ : Attachments();
+  gauge_.emplace(attachments_.tied(components_), values.handles.vertices, rest_->mesh.positions, rest_->areas,
+                 values.planes);
+  std::vector<Index> held = values.handles.vertices;
   held.insert(held.end(), gauge_->pins().begin(), gauge_->pins().end());
+  std::vector<RowPlane> planes = rowPlanes(values.planes);
+  planes.insert(planes.end(), gauge_->pinPlanes().begin(), gauge_->pinPlanes().end());
   const TriangleMesh& mesh = rest_->mesh;
   SparseMatrix matrix = cotangentLaplacian(mesh.triangles, halfCotangents_, mesh.vertexCount());
   Ordering ordering{.isOrdered = true};
@@ -106,7 +109,12 @@ void LocalGlobal::assembleSystem(const Handles& handles, Parts parts) {
     matrix += attachments_.lower(mesh.vertexCount());
     ordering = {.coordinates = &mesh.positions};  // that of the vertices does not know of the ties
   }
-  system_.beginPrepare(std::move(matrix), std::move(held), ordering);
+  system_.beginPrepare(std::move(matrix), std::move(held), ordering, std::move(planes));
+}
+
+void LocalGlobal::applyConstraints(Points& positions) const {
+  satisfyPlanes(onPlanes_, positions);
+  applyHandles(handles_, positions);  // to the bit
 }
 
 void LocalGlobal::begin(Points& positions) {
@@ -116,7 +124,7 @@ void LocalGlobal::begin(Points& positions) {
   energy_ = std::numeric_limits<double>::infinity();
   localStep_.begin();
   for (auto* rotations : {&guess_, &rotations_}) std::fill(rotations->begin(), rotations->end(), identityRotations());
-  applyHandles(handles_, positions);
+  applyConstraints(positions);
   displacements_.measure(positions, rest_->mesh.positions);
   best_.begin(localStep_.keepsBest(), positions);
 }
@@ -217,7 +225,8 @@ double LocalGlobal::globalStep(Points& positions) {
     return start.exact().row(place) + Eigen::RowVector3d(step[0], step[1], step[2]);
   });
   displacements_.apply(rest_->mesh.positions, positions);
-  applyHandles(handles_, positions);  // to the bit
+  applyConstraints(positions);
+  if (!onPlanes_.empty()) displacements_.measure(positions, rest_->mesh.positions);  // or rounding would add up
   const auto largest = [](Lanes v) { return std::max({v[0], v[1], v[2], v[3]}); };
   return StoppingRule::relativeDisplacement(largest(move), largest(displacement));
 }

@@ -8,6 +8,7 @@
 
 #include "constraints/contact_search.h"
 #include "constraints/gauge.h"
+#include "constraints/planes.h"
 #include "linear/constrained_quadratic.h"
 #include "methods/local_global/acceleration.h"
 #include "methods/local_global/best_iterate.h"
@@ -26,13 +27,14 @@ struct EngineValues {
   Handles handles;
   SolverParameters solver;
   Parts parts = Parts::together;
+  Planes planes;
 };
 
 /// The engine of all local/global methods.
 ///
 /// Minimises Σ_k Σ_{e∈N(k)} c_e |s_k R_k d_e − u_e|² + regularizer(R), s_k = 1 unless the policy frees it, alternating
 /// between the rotations R (local step, the policy) and the positions (global step, one Poisson solve with handles
-/// eliminated and what is loose held by its gauge). Parts that touch are tied by `Attachments`, whose energy belongs to
+/// eliminated, vertices on planes held there and what is loose held by its gauge). Parts that touch are tied by `Attachments`, whose energy belongs to
 /// it. The energy of the points that iterations start from never rises,
 /// accelerated or not.
 class LocalGlobal {
@@ -56,7 +58,9 @@ class LocalGlobal {
   void collectEdges(double& done);
   void claimRunningState();
   void findContacts(double& done);
-  void assembleSystem(const Handles& handles, Parts parts);
+  void assembleSystem(const EngineValues& values);
+  /// Puts vertices where handles and planes hold them.
+  void applyConstraints(Points& positions) const;
   /// Where the rotations of a local step start from.
   enum class Guess {
     continued,  // where they would go on to as they last turned: about half as many steps; for an iteration's first only
@@ -79,6 +83,7 @@ class LocalGlobal {
   StoppingRule stopping_;
   Acceleration::Kind accelerationKind_ = Acceleration::Kind::nesterov;
   Handles handles_;
+  std::vector<HeldRow> onPlanes_;
 
   // Prepared once per rest shape
   std::optional<RestShape> rest_;
@@ -89,7 +94,7 @@ class LocalGlobal {
   std::unique_ptr<ContactSearch> contactSearch_;  // while it goes on
   Attachments contacts_;
 
-  // Prepared once per set of held vertices
+  // Prepared once per set of held vertices and directions of planes
   Attachments attachments_;  // the contacts, or none where parts are free
   std::optional<Gauge> gauge_;
   ConstrainedQuadratic system_;

@@ -26,7 +26,11 @@ class LocalGlobalMethod final : public MethodOf<typename Step::Parameters> {
  public:
   using Parameters = typename Step::Parameters;
 
-  Status check(const Parameters& values) const override { return Step::check(values); }
+  Status check(const Parameters& values) const override {
+    if (Status status = Step::check(values); !status.ok()) return status;
+    const EngineValues held = Step::engineValues(values);
+    return validateHandlesOnPlanes(held.handles, held.planes);
+  }
   std::vector<Stage> plan(const TriangleMesh& rest, const Parameters& values, Stale stale) override {
     return engine_.plan(
         rest, [&values] { return Step::engineValues(values); },

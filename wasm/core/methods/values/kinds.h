@@ -9,6 +9,7 @@
 #include "methods/values/handles.h"
 #include "methods/values/integer.h"
 #include "methods/values/number.h"
+#include "methods/values/planes.h"
 #include "methods/values/rotation.h"
 #include "methods/values/rotations.h"
 #include "methods/values/scalars.h"

@@ -26,7 +26,7 @@ Status CubicLocalStep::check(const CubicParameters& values) {
 
 std::vector<std::string> CubicLocalStep::warnings(const CubicParameters& values) {
   const bool isFlat = values.lambdaPerVertex.size() ? values.lambdaPerVertex.isZero(0) : values.lambda == 0;
-  if (!isFlat || !values.handles.vertices.empty()) return {};
+  if (!isFlat || !values.handles.vertices.empty() || !values.planes.empty()) return {};
   return {"λ is 0 everywhere and there are no handles, so nothing moves."};
 }
 
@@ -115,6 +115,7 @@ MethodInfo cubicMethod() {
                                 bind("frames", &P::frames, Stale::weights, RotationsKind{}),
                                 bind("localStep", &P::localStep, Stale::weights, solvers),
                                 bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                                bind("planes", &P::planes, Stale::system, PlanesKind{}),
                                 bind("parts", &P::parts, Stale::system, waysOfParts())};
   return methodInfo<LocalGlobalMethod<CubicLocalStep>>("cubic", withGroup(own, &P::solver, solverParameters()));
 }

@@ -22,6 +22,7 @@ struct CubicParameters {
   Quaternions frames;                            // Q of single vertices, #V×4; or empty
   CubicSolverKind localStep = CubicSolverKind::exact;
   Handles handles;
+  Planes planes;
   Parts parts = Parts::together;
   SolverParameters solver;
 };
@@ -34,7 +35,7 @@ class CubicLocalStep : public LocalStep {
  public:
   using Parameters = CubicParameters;
   static EngineValues engineValues(const CubicParameters& values) {
-    return {Rigidity::arap, values.handles, values.solver, values.parts};
+    return {Rigidity::arap, values.handles, values.solver, values.parts, values.planes};
   }
   /// Fails with `badParameter` where axes of different weight meet a polyhedron that has no axes.
   static Status check(const CubicParameters& values);

@@ -50,6 +50,7 @@ MethodInfo analogyMethod() {
                                 bind("dynamicTargets", &P::dynamicTargets, Stale::weights, FlagKind{}),
                                 bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 100}}),
                                 bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                                bind("planes", &P::planes, Stale::system, PlanesKind{}),
                                 bind("parts", &P::parts, Stale::system, waysOfParts())};
   return methodInfo<LocalGlobalMethod<AnalogyLocalStep>>("analogy", withGroup(own, &P::solver, solverParameters()));
 }

@@ -15,6 +15,7 @@ struct AnalogyParameters {
   bool dynamicTargets = false;  // whether targets follow the output, §4.2
   Scalars lambdaPerVertex;      // λ of each vertex in its place, #V; or empty
   Handles handles;
+  Planes planes;
   Parts parts = Parts::together;
   SolverParameters solver;
 };
@@ -29,7 +30,7 @@ class AnalogyLocalStep : public TargetedLocalStep {
  public:
   using Parameters = AnalogyParameters;
   static EngineValues engineValues(const AnalogyParameters& values) {
-    return {values.regularizer, values.handles, values.solver, values.parts};
+    return {values.regularizer, values.handles, values.solver, values.parts, values.planes};
   }
   static Status check(const AnalogyParameters& values);
   static std::vector<std::string> warnings(const AnalogyParameters&) { return {}; }

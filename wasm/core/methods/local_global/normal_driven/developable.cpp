@@ -8,7 +8,7 @@ EngineValues DevelopableLocalStep::engineValues(const DevelopableParameters& val
   SolverParameters solver;
   solver.stopOn = StoppingRule::Quantity::iterations;
   solver.maxIterations = values.maxIterations;
-  return {Rigidity::farap, values.handles, solver, values.parts};
+  return {Rigidity::farap, values.handles, solver, values.parts, values.planes};
 }
 
 void DevelopableLocalStep::prepare(const RestShape& rest, const DevelopableParameters& values) {
@@ -28,12 +28,13 @@ void DevelopableLocalStep::observe(const Points& positions) {
 MethodInfo developableMethod() {
   using P = DevelopableParameters;
   return methodInfo<LocalGlobalMethod<DevelopableLocalStep>>(
-      "developable", {bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 1000}}),
-                      bind("creases", &P::creases, Stale::weights, NumberKind{{0, 1}}),
-                      bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 1000}}),
-                      bind("handles", &P::handles, Stale::system, HandlesKind{}),
-                      bind("parts", &P::parts, Stale::system, waysOfParts()),
-                      bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
+      "developable",
+      {bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 1000}}),
+       bind("creases", &P::creases, Stale::weights, NumberKind{{0, 1}}),
+       bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 1000}}),
+       bind("handles", &P::handles, Stale::system, HandlesKind{}),
+       bind("planes", &P::planes, Stale::system, PlanesKind{}), bind("parts", &P::parts, Stale::system, waysOfParts()),
+       bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
 }
 
 }  // namespace whittle

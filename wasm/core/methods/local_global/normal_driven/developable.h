@@ -11,6 +11,7 @@ struct DevelopableParameters {
   double creases = 0.65;    // share of the vertices that may become creases
   Scalars lambdaPerVertex;  // λ of each vertex in its place, #V; or empty
   Handles handles;
+  Planes planes;
   Parts parts = Parts::together;
   int maxIterations = 150;  // targets follow the output, so that nothing else says when to stop
 };

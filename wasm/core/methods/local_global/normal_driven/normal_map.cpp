@@ -31,6 +31,7 @@ MethodInfo normalmapMethod() {
                                 bind("regularizer", &P::regularizer, Stale::all, rigidities()),
                                 bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 1000}}),
                                 bind("handles", &P::handles, Stale::system, HandlesKind{}),
+                                bind("planes", &P::planes, Stale::system, PlanesKind{}),
                                 bind("parts", &P::parts, Stale::system, waysOfParts())};
   return methodInfo<LocalGlobalMethod<NormalMapLocalStep>>("normalmap", withGroup(own, &P::solver, solverParameters()));
 }

@@ -15,6 +15,7 @@ struct NormalMapParameters {
   Rigidity regularizer = Rigidity::acap;       // heights are details, and sizes may change for them (2021, §4.1)
   Scalars lambdaPerVertex;                     // λ of each vertex in its place, #V; or empty
   Handles handles;
+  Planes planes;
   Parts parts = Parts::together;
   SolverParameters solver;
 };
@@ -26,7 +27,7 @@ class NormalMapLocalStep : public TargetedLocalStep {
  public:
   using Parameters = NormalMapParameters;
   static EngineValues engineValues(const NormalMapParameters& values) {
-    return {values.regularizer, values.handles, values.solver, values.parts};
+    return {values.regularizer, values.handles, values.solver, values.parts, values.planes};
   }
   static Status check(const NormalMapParameters& values);
   static std::vector<std::string> warnings(const NormalMapParameters& values);
