@@ -2,8 +2,8 @@ import { discAround } from './disc.ts';
 import { facesInside, facesOfPart, facesOfPatch, outlineOf, verticesOfFaces } from './face-sets.ts';
 import { membersOf } from './labels.ts';
 import { boundaryLoop, featureLoop } from './loops.ts';
-import { type Hit, nearestFeature, nearestVertex } from './near-pointer.ts';
-import type { Surface } from './surface.ts';
+import { type Aim, nearestFeature, nearestVertex } from './near-pointer.ts';
+import type { SelectableMesh } from './selectable.ts';
 import { faceCount } from './topology.ts';
 
 /** What a click would take. */
@@ -33,20 +33,20 @@ export interface CandidateOptions {
  * patch up to the lines around it; where that is all of a part, the part. A shape of one part without any lines, such as a figure,
  * would be taken as a whole, which nobody means who points at its ear: there it is a round spot, the first dab of a brush.
  */
-export function candidateAt(surface: Surface, hit: Hit, options: CandidateOptions): Candidate {
-  if (options.oneVertex) return oneVertex(nearestVertex(surface, hit));
-  if (options.wholePart) return partOf(surface, hit.face);
-  const near = nearestFeature(surface, hit);
+export function candidateAt(surface: SelectableMesh, aim: Aim, options: CandidateOptions): Candidate {
+  if (options.oneVertex) return oneVertex(nearestVertex(surface, aim));
+  if (options.wholePart) return partOf(surface, aim.face);
+  const near = nearestFeature(surface, aim);
   if (near) return lineAt(surface, near.edge, near.isBorder);
-  const patch = facesOfPatch(surface, hit.face).length;
-  const part = facesOfPart(surface, hit.face).length;
-  if (patch < part) return patchOf(surface, hit.face);
-  if (part < faceCount(surface.topology)) return partOf(surface, hit.face);
-  return spotAt(surface, hit, options.spot);
+  const patch = facesOfPatch(surface, aim.face).length;
+  const part = facesOfPart(surface, aim.face).length;
+  if (patch < part) return patchOf(surface, aim.face);
+  if (part < faceCount(surface.topology)) return partOf(surface, aim.face);
+  return spotAt(surface, aim, options.spot);
 }
 
 /** The part that a face belongs to. */
-export function partOf(surface: Surface, face: number): Candidate {
+export function partOf(surface: SelectableMesh, face: number): Candidate {
   const { topology, parts } = surface;
   const part = parts.of[topology.triangles[3 * face]!]!;
   return remembered(surface, `part ${part}`, () => {
@@ -58,7 +58,7 @@ export function partOf(surface: Surface, face: number): Candidate {
 }
 
 /** The smooth patch that a face belongs to. */
-export function patchOf(surface: Surface, face: number): Candidate {
+export function patchOf(surface: SelectableMesh, face: number): Candidate {
   const patch = surface.patches.of[face]!;
   return remembered(surface, `patch ${patch}`, () => {
     const faces = facesOfPatch(surface, face);
@@ -68,7 +68,7 @@ export function patchOf(surface: Surface, face: number): Candidate {
   });
 }
 
-function lineAt(surface: Surface, edge: number, isBorder: boolean): Candidate {
+function lineAt(surface: SelectableMesh, edge: number, isBorder: boolean): Candidate {
   const edges = isBorder ? boundaryLoop(surface, edge) : featureLoop(surface, edge);
   const { ends } = surface.topology;
   const drawn = new Uint32Array(2 * edges.length);
@@ -90,8 +90,8 @@ function lineAt(surface: Surface, edge: number, isBorder: boolean): Candidate {
   };
 }
 
-function spotAt(surface: Surface, hit: Hit, radius: number): Candidate {
-  const vertices = discAround(surface, hit, radius);
+function spotAt(surface: SelectableMesh, aim: Aim, radius: number): Candidate {
+  const vertices = discAround(surface, aim, radius);
   return {
     kind: 'spot',
     vertices,
@@ -116,10 +116,10 @@ function told({ length }: ArrayLike<number>): string {
   return length === 1 ? '1 vertex' : `${count.format(length)} vertices`;
 }
 
-const made = new WeakMap<Surface, Map<string, Candidate>>();
+const made = new WeakMap<SelectableMesh, Map<string, Candidate>>();
 
 /** Patches and parts can be large: a pointer that stays on one finds it made. */
-function remembered(surface: Surface, key: string, make: () => Candidate): Candidate {
+function remembered(surface: SelectableMesh, key: string, make: () => Candidate): Candidate {
   const ofSurface = made.get(surface) ?? new Map<string, Candidate>();
   made.set(surface, ofSurface);
   const candidate = ofSurface.get(key) ?? make();

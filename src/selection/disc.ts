@@ -1,5 +1,5 @@
 import { row, type Vec3 } from '../mesh/vectors.ts';
-import type { Surface } from './surface.ts';
+import type { SelectableMesh } from './selectable.ts';
 import { otherEnd } from './topology.ts';
 
 /** A place on a surface. */
@@ -10,7 +10,7 @@ export interface SurfacePoint {
 }
 
 /** Where a place is, in file units. */
-export function placeOf({ topology, places }: Surface, { face, weights }: SurfacePoint): Vec3 {
+export function placeOf({ topology, places }: SelectableMesh, { face, weights }: SurfacePoint): Vec3 {
   const place: [number, number, number] = [0, 0, 0];
   for (let corner = 0; corner < 3; corner++) {
     const at = row(places, topology.triangles[3 * face + corner]!);
@@ -25,7 +25,7 @@ export function placeOf({ topology, places }: Surface, { face, weights }: Surfac
  *
  * @param radius in file units
  */
-export function discAround(surface: Surface, point: SurfacePoint, radius: number): Uint32Array {
+export function discAround(surface: SelectableMesh, point: SurfacePoint, radius: number): Uint32Array {
   const { topology, places, visits } = surface;
   const [x, y, z] = placeOf(surface, point);
   const heaviest = point.weights.indexOf(Math.max(...point.weights));

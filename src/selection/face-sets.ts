@@ -1,20 +1,20 @@
 import { smooth } from './features.ts';
 import { membersOf } from './labels.ts';
-import type { Surface } from './surface.ts';
+import type { SelectableMesh } from './selectable.ts';
 import { faceOfSide, none, sideAcross } from './topology.ts';
 
 /** The faces of the smooth patch that a face belongs to, a view. */
-export function facesOfPatch({ patches }: Surface, face: number): Uint32Array {
+export function facesOfPatch({ patches }: SelectableMesh, face: number): Uint32Array {
   return membersOf(patches, patches.of[face]!);
 }
 
 /** The faces of the part that a face belongs to, a view. */
-export function facesOfPart({ facesOfParts }: Surface, face: number): Uint32Array {
+export function facesOfPart({ facesOfParts }: SelectableMesh, face: number): Uint32Array {
   return membersOf(facesOfParts, facesOfParts.of[face]!);
 }
 
 /** The corners of some faces, each once. */
-export function verticesOfFaces({ topology, visits }: Surface, faces: Uint32Array): Uint32Array {
+export function verticesOfFaces({ topology, visits }: SelectableMesh, faces: Uint32Array): Uint32Array {
   const found = new Uint32Array(Math.min(3 * faces.length, topology.vertices));
   let count = 0;
   visits.begin();
@@ -28,7 +28,7 @@ export function verticesOfFaces({ topology, visits }: Surface, faces: Uint32Arra
 }
 
 /** The edges around a patch, #×2 welded vertices: where it ends at another, at a border, or bends back to itself. */
-export function outlineOf({ topology, features, patches }: Surface, patch: number): Uint32Array {
+export function outlineOf({ topology, features, patches }: SelectableMesh, patch: number): Uint32Array {
   const { triangles, edgeOfSide } = topology;
   const drawn: number[] = [];
   for (const face of membersOf(patches, patch)) {
@@ -47,7 +47,7 @@ export function outlineOf({ topology, features, patches }: Surface, patch: numbe
 }
 
 /** The faces that have all their corners in a set of vertices. */
-export function facesInside({ topology, visits }: Surface, vertices: Uint32Array): Uint32Array {
+export function facesInside({ topology, visits }: SelectableMesh, vertices: Uint32Array): Uint32Array {
   const { triangles, aroundStart, edgesAround, sideStart, sides } = topology;
   const found: number[] = [];
   visits.begin();

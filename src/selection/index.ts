@@ -1,10 +1,12 @@
 export { type Candidate, type CandidateOptions, candidateAt, partOf } from './candidate.ts';
 export { discAround, placeOf, type SurfacePoint } from './disc.ts';
+export { type DrawnSelection, drawnOf } from './drawn.ts';
 export { facesInside } from './face-sets.ts';
 export { defaultFeatureAngle } from './features.ts';
 export { aloneIn, type MirrorMap, type MirrorPlane, mirrored, mirrorMap } from './mirror.ts';
-export type { Hit, ScreenPoint } from './near-pointer.ts';
+export type { Aim, ScreenPoint } from './near-pointer.ts';
 export { boxRegion, type ScreenRegion, verticesInside } from './screen-region.ts';
+export { type SelectableMesh, type SelectableOptions, selectableOf } from './selectable.ts';
 export {
   type Combination,
   combined,
@@ -17,5 +19,5 @@ export {
   selectedVertices,
   shrunk,
 } from './selection.ts';
-export { type Surface, type SurfaceOptions, surfaceOf } from './surface.ts';
+export { type ScreenShape, Visibility } from './visibility.ts';
 export { atOnce, inSlices, type SliceOptions, type Work } from './work.ts';

@@ -1,6 +1,6 @@
 import { dot, row, subtract, unit, type Vec3 } from '../mesh/vectors.ts';
 import { border, smooth } from './features.ts';
-import type { Surface } from './surface.ts';
+import type { SelectableMesh } from './selectable.ts';
 import { edgeCount, faceOfSide, none, otherEnd, sideAcross } from './topology.ts';
 
 /** Where two feature edges meet, a line that turns by more than 60° has a corner; where several meet, one that turns by more than 30°. */
@@ -8,7 +8,7 @@ const leastCosineOfTwo = Math.cos(Math.PI / 3);
 const leastCosineOfMany = Math.cos(Math.PI / 6);
 
 /** The edges of the line that a feature edge lies on: straight on through vertices, both ways, up to corners or all around. */
-export function featureLoop(surface: Surface, edge: number): Uint32Array {
+export function featureLoop(surface: SelectableMesh, edge: number): Uint32Array {
   const [a, b] = endsOf(surface, edge);
   const line = new Set([edge]);
   follow(surface, line, edge, b, straightOn);
@@ -17,7 +17,7 @@ export function featureLoop(surface: Surface, edge: number): Uint32Array {
 }
 
 /** The edges of the border that an edge with one face lies on: the rim of one opening, all around. */
-export function boundaryLoop(surface: Surface, edge: number): Uint32Array {
+export function boundaryLoop(surface: SelectableMesh, edge: number): Uint32Array {
   const [a, b] = endsOf(surface, edge);
   const rim = new Set([edge]);
   follow(surface, rim, edge, b, alongBorder);
@@ -26,9 +26,9 @@ export function boundaryLoop(surface: Surface, edge: number): Uint32Array {
   return Uint32Array.from(rim);
 }
 
-type Next = (surface: Surface, edge: number, vertex: number) => number;
+type Next = (surface: SelectableMesh, edge: number, vertex: number) => number;
 
-function follow(surface: Surface, line: Set<number>, from: number, end: number, next: Next): void {
+function follow(surface: SelectableMesh, line: Set<number>, from: number, end: number, next: Next): void {
   let edge = from;
   let vertex = end;
   for (let left = edgeCount(surface.topology); left > 0; left--) {
@@ -40,7 +40,7 @@ function follow(surface: Surface, line: Set<number>, from: number, end: number, 
 }
 
 /** The feature edge that goes on from another at a vertex; `none` at a corner. */
-function straightOn(surface: Surface, edge: number, vertex: number): number {
+function straightOn(surface: SelectableMesh, edge: number, vertex: number): number {
   const others = featuresAround(surface, vertex).filter((other) => other !== edge);
   if (others.length === 0) return none;
   const cosines = others.map((other) => -bend(surface, vertex, edge, other));
@@ -51,16 +51,16 @@ function straightOn(surface: Surface, edge: number, vertex: number): number {
 }
 
 /** The cosine between two edges, both seen from the vertex that they share. */
-function bend(surface: Surface, vertex: number, edge: number, other: number): number {
+function bend(surface: SelectableMesh, vertex: number, edge: number, other: number): number {
   return dot(directionFrom(surface, vertex, edge), directionFrom(surface, vertex, other));
 }
 
-function directionFrom({ topology, places }: Surface, vertex: number, edge: number): Vec3 {
+function directionFrom({ topology, places }: SelectableMesh, vertex: number, edge: number): Vec3 {
   return unit(subtract(row(places, otherEnd(topology, edge, vertex)), row(places, vertex)));
 }
 
 /** The border edge that goes on at a vertex, around the faces between: sheets that touch in one vertex keep their rims apart. */
-function alongBorder({ topology, features }: Surface, edge: number, vertex: number): number {
+function alongBorder({ topology, features }: SelectableMesh, edge: number, vertex: number): number {
   let side = topology.sides[topology.sideStart[edge]!]!;
   for (let left = topology.triangles.length; left > 0; left--) {
     side = otherSideAt(topology.triangles, side, vertex);
@@ -80,7 +80,7 @@ function otherSideAt(triangles: Uint32Array, side: number, vertex: number): numb
 }
 
 /** Edges at a vertex that are not smooth. */
-export function featuresAround({ topology, features }: Surface, vertex: number): number[] {
+export function featuresAround({ topology, features }: SelectableMesh, vertex: number): number[] {
   const found: number[] = [];
   for (let i = topology.aroundStart[vertex]!; i < topology.aroundStart[vertex + 1]!; i++) {
     const edge = topology.edgesAround[i]!;
@@ -89,6 +89,6 @@ export function featuresAround({ topology, features }: Surface, vertex: number):
   return found;
 }
 
-function endsOf({ topology: { ends } }: Surface, edge: number): [number, number] {
+function endsOf({ topology: { ends } }: SelectableMesh, edge: number): [number, number] {
   return [ends[2 * edge]!, ends[2 * edge + 1]!];
 }

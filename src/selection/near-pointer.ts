@@ -1,12 +1,12 @@
 import { border, smooth } from './features.ts';
-import type { Surface } from './surface.ts';
+import type { SelectableMesh } from './selectable.ts';
 import { faceOfSide, nextSide, none, sideAcross } from './topology.ts';
 
 /** A place of the screen, in CSS pixels. */
 export type ScreenPoint = readonly [x: number, y: number];
 
 /** Where a pointer meets a surface. */
-export interface Hit {
+export interface Aim {
   /** Of the faces that the solver takes, #S. */
   readonly face: number;
   /** Shares of the corners in the place that is met; they add up to 1. */
@@ -27,17 +27,17 @@ export interface NearEdge {
 const mostFaces = 800;
 
 /** The feature edge that is nearest to the pointer, of those within reach; a border comes before a crease at the same distance. */
-export function nearestFeature(surface: Surface, hit: Hit): NearEdge | null {
+export function nearestFeature(surface: SelectableMesh, aim: Aim): NearEdge | null {
   const { topology, features, visits } = surface;
-  const waiting = [hit.face];
+  const waiting = [aim.face];
   visits.begin();
-  visits.face(hit.face);
+  visits.face(aim.face);
   let nearest = none;
-  let least = hit.reach;
+  let least = aim.reach;
   for (let at = 0; at < waiting.length && at < mostFaces; at++) {
     for (let side = 3 * waiting[at]!; side < 3 * waiting[at]! + 3; side++) {
-      const distance = distanceToSide(surface, hit, side);
-      if (!(distance <= hit.reach)) continue;
+      const distance = distanceToSide(surface, aim, side);
+      if (!(distance <= aim.reach)) continue;
       const edge = topology.edgeOfSide[side]!;
       if (edge !== none && features[edge] !== smooth && isNearer(features, edge, distance, nearest, least))
         [nearest, least] = [edge, distance];
@@ -60,7 +60,7 @@ function isNearer(
 }
 
 /** The corner of the face that is nearest to the pointer. */
-export function nearestVertex({ topology }: Surface, { face, pointer, project }: Hit): number {
+export function nearestVertex({ topology }: SelectableMesh, { face, pointer, project }: Aim): number {
   let nearest = topology.triangles[3 * face]!;
   let least = Infinity;
   for (const v of topology.triangles.subarray(3 * face, 3 * face + 3)) {
@@ -72,8 +72,8 @@ export function nearestVertex({ topology }: Surface, { face, pointer, project }:
 }
 
 function distanceToSide(
-  { topology: { triangles } }: Surface,
-  { pointer, project }: Hit,
+  { topology: { triangles } }: SelectableMesh,
+  { pointer, project }: Aim,
   side: number,
 ): number {
   const [ax, ay] = project(triangles[side]!);

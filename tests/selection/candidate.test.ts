@@ -1,18 +1,18 @@
 import { describe, expect, test } from 'vitest';
 import {
+  type Aim,
   atOnce,
   type CandidateOptions,
   candidateAt,
-  type Hit,
-  type Surface,
-  surfaceOf,
+  type SelectableMesh,
+  selectableOf,
 } from '../../src/selection/index.ts';
 import { block, can } from '../fixtures/hard-edged.ts';
 import { icosphere, type TestMesh, together } from '../fixtures/meshes.ts';
 import { patch, plate } from '../fixtures/shapes.ts';
 
 /** Looks along −z at 100 pixels a unit, and points at a place of the surface that is seen there. */
-function pointAt(surface: Surface, x: number, y: number, reach = 6): Hit {
+function pointAt(surface: SelectableMesh, x: number, y: number, reach = 6): Aim {
   const { places, topology } = surface;
   const project = (v: number) => [100 * places[3 * v]!, 100 * places[3 * v + 1]!] as const;
   const pointer = [100 * x, 100 * y] as const;
@@ -32,7 +32,7 @@ function pointAt(surface: Surface, x: number, y: number, reach = 6): Hit {
 }
 
 function clickOn(mesh: TestMesh, x: number, y: number, options: Partial<CandidateOptions> = {}) {
-  const surface = atOnce(surfaceOf(mesh));
+  const surface = atOnce(selectableOf(mesh));
   const candidate = candidateAt(surface, pointAt(surface, x, y), { spot: 0.3, ...options });
   const at = (v: number) => [...surface.places.subarray(3 * v, 3 * v + 3)];
   return { ...candidate, surface, at, places: [...candidate.vertices].map(at) };
@@ -114,7 +114,7 @@ test('a line goes straight on where others branch off', () => {
 });
 
 test('a patch that is pointed at again is not made again', () => {
-  const surface = atOnce(surfaceOf(block(4)));
+  const surface = atOnce(selectableOf(block(4)));
   const first = candidateAt(surface, pointAt(surface, 0.1, 0.2), { spot: 0.1 });
   expect(candidateAt(surface, pointAt(surface, -0.3, -0.1), { spot: 0.1 })).toBe(first);
 });

@@ -13,9 +13,9 @@ import {
   piecesOf,
   type ScreenPoint,
   type Selection,
+  selectableOf,
   selectedVertices,
   shrunk,
-  surfaceOf,
   verticesInside,
 } from '../../src/selection/index.ts';
 import { block } from '../fixtures/hard-edged.ts';
@@ -42,7 +42,7 @@ describe('sets', () => {
   });
 
   test('grow by neighbours, shrink by those at the rim', () => {
-    const { topology } = atOnce(surfaceOf(plate(7)));
+    const { topology } = atOnce(selectableOf(plate(7)));
     const middle = selected(49, 24);
     expect(list(grown(middle, topology))).toEqual([16, 17, 23, 24, 25, 31, 32]);
     expect(list(shrunk(grown(middle, topology), topology))).toEqual([24]);
@@ -51,7 +51,7 @@ describe('sets', () => {
   });
 
   test('fall into pieces that touch', () => {
-    const { topology } = atOnce(surfaceOf(plate(7)));
+    const { topology } = atOnce(selectableOf(plate(7)));
     expect(piecesOf(selected(49, 0, 1, 8, 48, 40, 24), topology).map((piece) => piece.length)).toEqual([
       3, 1, 2,
     ]);
@@ -113,7 +113,7 @@ describe('the mirror', () => {
     positions: positions.map((x, i) => (i % 3 === 0 ? x + by : x)),
     triangles,
   });
-  const places = (mesh: TestMesh) => atOnce(surfaceOf(mesh)).places;
+  const places = (mesh: TestMesh) => atOnce(selectableOf(mesh)).places;
 
   test('lies in the middle of the box of a symmetric mesh, and pairs all of its vertices', () => {
     const x = places(moved(block(6), 0.7));

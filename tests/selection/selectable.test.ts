@@ -1,11 +1,17 @@
 import { describe, expect, test } from 'vitest';
 import { weldOf } from '../../src/mesh/weld.ts';
-import { atOnce, discAround, inSlices, type SurfaceOptions, surfaceOf } from '../../src/selection/index.ts';
+import {
+  atOnce,
+  discAround,
+  inSlices,
+  type SelectableOptions,
+  selectableOf,
+} from '../../src/selection/index.ts';
 import { block, can } from '../fixtures/hard-edged.ts';
 import { icosphere, type TestMesh, together } from '../fixtures/meshes.ts';
 import { family, openCylinder, plate, pretzel, torus } from '../fixtures/shapes.ts';
 
-const surface = (mesh: TestMesh, options: SurfaceOptions = {}) => atOnce(surfaceOf(mesh, options));
+const surface = (mesh: TestMesh, options: SelectableOptions = {}) => atOnce(selectableOf(mesh, options));
 const countOf = (features: Uint8Array, kind: number) => features.filter((one) => one === kind).length;
 
 describe('feature edges', () => {
@@ -104,7 +110,7 @@ describe('work in slices', () => {
     const mesh = torus(120, 60);
     weldOf(mesh);
     let pauses = 0;
-    const sliced = await inSlices(surfaceOf({ ...mesh }), {
+    const sliced = await inSlices(selectableOf({ ...mesh }), {
       budget: 0,
       pause: async () => {
         pauses++;
@@ -121,7 +127,7 @@ describe('work in slices', () => {
     const stop = new AbortController();
     const pause = async () => stop.abort(new Error('enough'));
     await expect(
-      inSlices(surfaceOf(torus(40, 20)), { budget: 0, pause, signal: stop.signal }),
+      inSlices(selectableOf(torus(40, 20)), { budget: 0, pause, signal: stop.signal }),
     ).rejects.toThrow('enough');
   });
 });

@@ -7,7 +7,7 @@ import { faceCount, type Topology, topologyOf } from './topology.ts';
 import type { Work } from './work.ts';
 
 /** A mesh in one of its shapes, as a person sees it: lines, smooth patches, parts. All that is selected is selected on one. */
-export interface Surface {
+export interface SelectableMesh {
   readonly topology: Topology;
   /** #V×3, the places of the welded vertices. */
   readonly places: Float64Array;
@@ -22,19 +22,19 @@ export interface Surface {
   readonly visits: Visits;
 }
 
-export interface SurfaceOptions {
+export interface SelectableOptions {
   /** #P×3, the shape that is looked at. Default: the file's own. */
   readonly positions?: Float64Array;
   /** Degrees from which on an edge is a feature, default {@link defaultFeatureAngle}. */
   readonly angle?: number | undefined;
 }
 
-type Lasting = Pick<Surface, 'topology' | 'parts' | 'facesOfParts' | 'visits'>;
+type Lasting = Pick<SelectableMesh, 'topology' | 'parts' | 'facesOfParts' | 'visits'>;
 
 const known = new WeakMap<Weld, Lasting>();
 
 /** What there is to select on a mesh. What does not hang on the shape is made once a file. */
-export function* surfaceOf(mesh: Mesh, { positions, angle }: SurfaceOptions = {}): Work<Surface> {
+export function* selectableOf(mesh: Mesh, { positions, angle }: SelectableOptions = {}): Work<SelectableMesh> {
   const weld = weldOf(mesh);
   const lasting = known.get(weld) ?? (yield* lastingOf(weld));
   const { topology } = lasting;
