@@ -6,12 +6,14 @@ import { Viewer } from '../src/viewer/viewer.ts';
 import { Page } from './app/actions.ts';
 import { listenForDrops } from './app/drop.ts';
 import { followMethod } from './app/follow-method.ts';
+import { HandleActions } from './app/handle-actions.ts';
 import { ImageActions } from './app/image-actions.ts';
 import { followLayout } from './app/layout.ts';
 import { followOverlay } from './app/overlay-paint.ts';
 import { newPageStore } from './app/page-state.ts';
 import { readImage } from './app/read-image.ts';
 import { samples } from './app/samples.ts';
+import { Selectable } from './app/selectable.ts';
 import { listenForShortcuts } from './app/shortcuts.ts';
 import { StyleActions } from './app/style-actions.ts';
 import { followTheme } from './app/theme.ts';
@@ -34,20 +36,28 @@ const asset = (name: string) => store.state.gallery.entries.find(({ source }) =>
 const editor = new Editor({ store, engine, presenter, surroundings: { decodeImage: readImage, asset } });
 const styles = new StyleActions({ store, editor, engine, drawn: nextFrame });
 const images = new ImageActions(store, editor);
-const painter = new NormalPainter(store, editor, (run) => requestAnimationFrame(run));
+const soon = (run: () => void) => requestAnimationFrame(run);
+const painter = new NormalPainter(store, editor, soon);
 const interaction = viewer && new Interaction(viewer);
+const surface = new Selectable(() => store.set({}));
+const handles = new HandleActions(store, editor);
 const tools = new ToolBelt(
   store,
   interaction,
-  interaction ? makeTools({ store, editor, interaction }) : new Map(),
+  interaction && makeTools({ store, interaction, handles, surface, soon }),
 );
-const page = new Page({ store, editor, styles, images, painter, tools, presenter, viewer });
+const page = new Page({ store, editor, styles, images, painter, handles, tools, presenter, viewer });
 
 followTheme(store, viewer);
 followOverlay(store, viewer);
 followMethod(page);
 for (const panel of document.querySelectorAll<PageElement>('[data-panel]')) panel.page = page;
-if (viewer) followLayout(viewer, element('#stage'), element('.sheet'), element('whittle-viewbar'));
+if (viewer)
+  followLayout(viewer, element('#stage'), {
+    panel: element('.sheet'),
+    bar: element('whittle-viewbar'),
+    strip: element('whittle-tool-strip'),
+  });
 listenForDrops(page);
 listenForShortcuts(page, () => element('whittle-help').dispatchEvent(new Event('open')));
 void page.openSample(samples[0]!);

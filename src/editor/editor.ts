@@ -386,6 +386,7 @@ function activeInputs(project: Project): StepInputs {
 function sameActive(a: Project, b: Project): boolean {
   return (
     a.mesh === b.mesh &&
+    a.groups === b.groups &&
     activeStep(a).isOn === activeStep(b).isOn &&
     sameInputs(activeInputs(a), activeInputs(b))
   );

@@ -1,5 +1,5 @@
 import type { ParameterValues } from '../methods/values/index.ts';
-import type { RecipeStep } from '../recipe/index.ts';
+import type { Group, RecipeStep } from '../recipe/index.ts';
 import { type Assets, activeStep, type Project, type Step } from './project.ts';
 
 /** Changes of the stack, each a new project. What a change makes stale shows by itself: results know what they are of. */
@@ -17,9 +17,11 @@ export interface StepChange {
   readonly parameters?: ParameterValues;
   /** Assets that the new parameters name. */
   readonly assets?: Assets;
+  /** The project's groups from now on; default those that it has. */
+  readonly groups?: readonly Group[];
 }
 
-export function changeActive(project: Project, { method, parameters, assets }: StepChange): Project {
+export function changeActive(project: Project, { method, parameters, assets, groups }: StepChange): Project {
   const step = activeStep(project);
   const changed: Step = {
     ...step,
@@ -33,7 +35,11 @@ export function changeActive(project: Project, { method, parameters, assets }: S
         : { ...step.remembered, [step.method]: step.parameters },
   };
   return withStep(
-    { ...project, assets: assets ? new Map([...project.assets, ...assets]) : project.assets },
+    {
+      ...project,
+      assets: assets ? new Map([...project.assets, ...assets]) : project.assets,
+      groups: groups ?? project.groups,
+    },
     changed,
   );
 }

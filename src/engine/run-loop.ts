@@ -8,6 +8,10 @@ import type { Outcome, Solved, SolveSettings } from './protocol.ts';
 /** Messages get in at least this often, single steps permitting. Shorter would slow small meshes. */
 const hopMilliseconds = 8;
 
+/** A run that is overtaken still makes so many steps, or goes on for so long: a drag shows shapes that are on their way, not first guesses. */
+const leastSteps = 4;
+const leastMilliseconds = 30;
+
 /** One solve while it waits or runs. */
 export class Run {
   readonly settings: SolveSettings;
@@ -104,6 +108,7 @@ async function prepare(mesh: LoadedMesh, values: EncodedValues, run: Run, hop: H
 async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): Promise<Outcome> {
   // The core would answer with a step that is no iteration.
   if (run.settings.parameters.maxIterations === 0) return 'iteration-limit';
+  const began = performance.now();
   let lastHop = Number.NEGATIVE_INFINITY;
   for (;;) {
     const now = performance.now();
@@ -111,8 +116,9 @@ async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): 
       await hop();
       lastHop = performance.now();
     }
-    // What is prepared makes one step even if it is overtaken: else a fast drag on a large mesh would show nothing.
-    if (run.isCancelled || (run.isSuperseded && energy.length > 0)) return 'cancelled';
+    // What is prepared makes one step at least even if it is overtaken: else a fast drag on a large mesh would show nothing.
+    const isWell = energy.length >= leastSteps || (energy.length > 0 && now - began >= leastMilliseconds);
+    if (run.isCancelled || (run.isSuperseded && isWell)) return 'cancelled';
     const step = mesh.step();
     mesh.isOverdue = false;
     energy.push(step.energy);

@@ -34,7 +34,10 @@ type Lasting = Pick<SelectableMesh, 'topology' | 'parts' | 'facesOfParts' | 'vis
 const known = new WeakMap<Weld, Lasting>();
 
 /** What there is to select on a mesh. What does not hang on the shape is made once a file. */
-export function* selectableOf(mesh: Mesh, { positions, angle }: SelectableOptions = {}): Work<SelectableMesh> {
+export function* selectableOf(
+  mesh: Mesh,
+  { positions, angle }: SelectableOptions = {},
+): Work<SelectableMesh> {
   const weld = weldOf(mesh);
   const lasting = known.get(weld) ?? (yield* lastingOf(weld));
   const { topology } = lasting;

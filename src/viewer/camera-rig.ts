@@ -20,6 +20,8 @@ export class CameraRig {
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #glide: { position: Vector3; target: Vector3 } | null = null;
   #radius = 1;
+  /** The view stays where it is: what a pointer has hold of must not move away under it. */
+  isHeld = false;
   /** A hand has moved the camera since the last fit. */
   #isMoved = false;
   #last = 0;
@@ -59,9 +61,9 @@ export class CameraRig {
     this.controls.update();
   }
 
-  /** Frames what has outgrown the frame, or needs less of it again, unless a hand has moved the camera. */
+  /** Frames what has outgrown the frame, or needs less of it again, unless a hand has moved the camera or works on the mesh. */
   follow(radius: number): void {
-    if (!this.#isMoved && Math.abs(radius / this.#radius - 1) > 0.03) this.fit(radius, true);
+    if (!this.isHeld && !this.#isMoved && Math.abs(radius / this.#radius - 1) > 0.03) this.fit(radius, true);
   }
 
   /** Goes around the object. @param azimuth to the right, in radians   @param polar upwards */

@@ -39,6 +39,7 @@ export class Interaction {
   setTool(tool: CanvasTool | null): void {
     if (tool) this.picking.want();
     this.#keyboard.hide();
+    this.viewer.holdView(tool !== null);
     this.#router.tool = tool;
   }
 

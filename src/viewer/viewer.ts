@@ -137,6 +137,11 @@ export class Viewer {
     return () => this.#shapeListeners.delete(listener);
   }
 
+  /** Whether the view stays where it is though the shape outgrows it: for tools, under which it must not move. Default false. */
+  holdView(isHeld: boolean): void {
+    this.#rig.isHeld = isHeld;
+  }
+
   /** Asks for one drawing. */
   readonly invalidate = (): void => this.#loop.invalidate();
 

@@ -63,7 +63,17 @@ describe('walls of the house', () => {
   test('no DOM in editor, inputs, recipe and all below: the types that they are checked with have none', () => {
     const { compilerOptions, include } = JSON.parse(readFileSync('tsconfig.json', 'utf8'));
     expect(compilerOptions.lib).toEqual(['ES2023', 'WebWorker']);
-    for (const room of ['editor', 'inputs', 'recipe', 'measures', 'selection', 'engine', 'io', 'methods', 'mesh'])
+    for (const room of [
+      'editor',
+      'inputs',
+      'recipe',
+      'measures',
+      'selection',
+      'engine',
+      'io',
+      'methods',
+      'mesh',
+    ])
       expect(include).toContain(`src/${room}`);
   });
 });

@@ -1,12 +1,8 @@
-import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { runCommandLine } from '../../src/cli/command-line.ts';
 import { violations } from './support/axe.ts';
 import { carved, picture } from './support/browser.ts';
-import { type SavedFile, saved } from './support/downloads.ts';
+import { exported, shapedHeadless } from './support/headless.ts';
 import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
@@ -31,14 +27,6 @@ async function add(method: string, steps: number): Promise<void> {
   await settled(steps);
 }
 
-/** What the page saves under an item of its export menu. */
-function exported(label: string): Promise<SavedFile> {
-  return saved(page, async () => {
-    await page.getByRole('button', { name: 'Other ways to export' }).click();
-    await page.getByRole('menuitem', { name: new RegExp(`^${label}`) }).click();
-  });
-}
-
 it('is built, switched, reordered, undone, and saved as a recipe that gives the same bytes without the page', async () => {
   page = await pages.open();
   const single = await picture(page);
@@ -59,25 +47,10 @@ it('is built, switched, reordered, undone, and saved as a recipe that gives the 
   expect(await rows()).toEqual(['1Developable', '2Cubic', '3Style: octahedron']);
   expect(await picture(page)).not.toBe(without);
 
-  const folder = await mkdtemp(join(tmpdir(), 'whittle-stack-'));
-  try {
-    const saidBy = await exported('Recipe');
-    const shaped = await exported('glTF binary');
-    expect(JSON.parse(saidBy.bytes.toString()).steps).toHaveLength(2);
-    const recipe = join(folder, saidBy.name);
-    await writeFile(recipe, saidBy.bytes);
-    const out = join(folder, 'headless.glb');
-    const quiet = { write: () => true };
-    const code = await runCommandLine(['run', recipe, 'public/samples/rabbit.glb', '--out', out], {
-      stdout: quiet,
-      stderr: quiet,
-      signal: new AbortController().signal,
-    });
-    expect(code).toBe(0);
-    expect((await readFile(out)).equals(shaped.bytes)).toBe(true);
-  } finally {
-    await rm(folder, { recursive: true });
-  }
+  const recipe = await exported(page, 'Recipe');
+  const shaped = await exported(page, 'glTF binary');
+  expect(JSON.parse(recipe.bytes.toString()).steps).toHaveLength(2);
+  expect((await shapedHeadless(recipe, 'public/samples/rabbit.glb')).equals(shaped.bytes)).toBe(true);
 
   while (await undo().isEnabled()) await undo().click();
   await carved(page);

@@ -17,6 +17,7 @@ const step = newStep({ method: 'cubic', parameters: { lambda: 0.35, tolerance: 3
 const project = {
   source: { name: "Ann's rabbit.glb", format: 'glb' },
   steps: [step],
+  groups: [],
   active: step.id,
 } as unknown as Project;
 const stack = { ...project, steps: [step, newStep({ method: 'developable', parameters: {} })] };

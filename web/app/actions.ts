@@ -12,6 +12,7 @@ import type { NormalPainter } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
 import { commandLine, exportName, ownFormat, recipeName } from './export.ts';
 import { beside, type FoundFile, found, unpackArchives } from './found-files.ts';
+import type { HandleActions } from './handle-actions.ts';
 import type { ImageActions } from './image-actions.ts';
 import { obstacle } from './offered-methods.ts';
 import type { Look, PageStore } from './page-state.ts';
@@ -28,6 +29,7 @@ export interface PageParts {
   readonly styles: StyleActions;
   readonly images: ImageActions;
   readonly painter: NormalPainter;
+  readonly handles: HandleActions;
   readonly tools: ToolBelt;
   readonly presenter: Presenter;
   /** Null where the browser draws no 3D. */
@@ -41,16 +43,18 @@ export class Page {
   readonly styles: StyleActions;
   readonly images: ImageActions;
   readonly painter: NormalPainter;
+  readonly handles: HandleActions;
   readonly tools: ToolBelt;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
 
-  constructor({ store, editor, styles, images, painter, tools, presenter, viewer }: PageParts) {
+  constructor({ store, editor, styles, images, painter, handles, tools, presenter, viewer }: PageParts) {
     this.store = store;
     this.editor = editor;
     this.styles = styles;
     this.images = images;
     this.painter = painter;
+    this.handles = handles;
     this.tools = tools;
     this.#presenter = presenter;
     this.#viewer = viewer;

@@ -1,7 +1,11 @@
 import type { Viewer } from '../../src/viewer/viewer.ts';
 
 /** Keeps the canvas as large as its box and the object centred in the part that no panel covers. */
-export function followLayout(viewer: Viewer, stage: HTMLElement, panel: HTMLElement, bar: HTMLElement): void {
+export function followLayout(
+  viewer: Viewer,
+  stage: HTMLElement,
+  { panel, bar, strip }: { panel: HTMLElement; bar: HTMLElement; strip: HTMLElement },
+): void {
   let narrow: boolean | null = null;
   let covered = 0;
   const measure = () => {
@@ -11,7 +15,12 @@ export function followLayout(viewer: Viewer, stage: HTMLElement, panel: HTMLElem
     const isNarrow = matchMedia('(max-width: 760px)').matches;
     const insets = isNarrow
       ? { top: 84, right: 0, bottom: Math.max(0, box.bottom - bar.getBoundingClientRect().top), left: 0 }
-      : { top: 64, right: Math.max(0, box.right - cover.left), bottom: 48, left: 0 };
+      : {
+          top: 64,
+          right: Math.max(0, box.right - cover.left),
+          bottom: 48,
+          left: strip.getBoundingClientRect().right - box.left,
+        };
     viewer.setInsets(insets);
     viewer.resize(box.width, box.height, devicePixelRatio);
     // Where the sheet takes much more or less of a phone than before, the object moves to where it can be seen.
@@ -24,5 +33,6 @@ export function followLayout(viewer: Viewer, stage: HTMLElement, panel: HTMLElem
   const observer = new ResizeObserver(measure);
   observer.observe(stage);
   observer.observe(panel);
+  observer.observe(strip);
   measure();
 }

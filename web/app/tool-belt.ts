@@ -1,4 +1,6 @@
+import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
+import type { Tools } from '../tools/all.ts';
 import type { Tool, ToolId } from '../tools/tool.ts';
 import type { PageStore } from './page-state.ts';
 
@@ -25,22 +27,29 @@ export const toolFaces: readonly ToolFace[] = [
 export class ToolBelt {
   readonly #store: PageStore;
   readonly #interaction: Interaction | null;
-  readonly #tools: ReadonlyMap<ToolId, Tool>;
+  /** Null where nothing is drawn. */
+  readonly all: Tools | null;
 
-  /** @param interaction null where nothing is drawn: then the view is all there is */
-  constructor(store: PageStore, interaction: Interaction | null, tools: ReadonlyMap<ToolId, Tool>) {
+  /** @param interaction null where nothing is drawn: then the view is all there is, and there are no tools */
+  constructor(store: PageStore, interaction: Interaction | null, tools: Tools | null) {
     this.#store = store;
     this.#interaction = interaction;
-    this.#tools = tools;
+    this.all = tools;
+    let mesh: Mesh | undefined;
+    store.subscribe(({ project }) => {
+      if (project?.mesh === mesh) return;
+      mesh = project?.mesh;
+      this.#tellReady();
+    });
   }
 
   /** The tools that can be taken here. */
   get faces(): readonly ToolFace[] {
-    return toolFaces.filter(({ id }) => id === 'turn' || (this.#interaction && this.#tools.has(id)));
+    return toolFaces.filter(({ id }) => id === 'turn' || this.#tool(id) !== null);
   }
 
   get current(): Tool | null {
-    return this.#tools.get(this.#store.state.tool) ?? null;
+    return this.#tool(this.#store.state.tool);
   }
 
   choose(id: ToolId): void {
@@ -50,6 +59,7 @@ export class ToolBelt {
     this.#store.set({ tool: id });
     this.current?.enter();
     this.#interaction?.setTool(this.current);
+    this.#tellReady();
   }
 
   /** A key for the tool in the hand, or one that takes another. @returns whether it was one */
@@ -61,5 +71,18 @@ export class ToolBelt {
     if (!face) return false;
     this.choose(face.id);
     return true;
+  }
+
+  /** The mesh is still being looked at, and the tool in the hand takes nothing yet. */
+  get isBusy(): boolean {
+    return this.current !== null && this.#interaction?.picking.isReady === false;
+  }
+
+  #tellReady(): void {
+    if (this.current) void this.#interaction?.picking.ready().then(() => this.#store.set({}));
+  }
+
+  #tool(id: ToolId): Tool | null {
+    return (this.all as Partial<Record<ToolId, Tool>> | null)?.[id] ?? null;
   }
 }

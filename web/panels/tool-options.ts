@@ -1,11 +1,16 @@
 import type { TemplateResult } from 'lit';
 import type { Page } from '../app/actions.ts';
+import type { Tools } from '../tools/all.ts';
 import type { ToolId } from '../tools/tool.ts';
+import { moveOptions } from './move-options.ts';
 
 /** The options of each tool that has some. */
-const options: Partial<Record<ToolId, (page: Page) => TemplateResult>> = {};
+const options: Partial<Record<ToolId, (page: Page, tools: Tools) => TemplateResult>> = {
+  move: (page, { move }) => moveOptions(page, move),
+};
 
 /** What can be set of a tool; null where there is nothing. */
-export function toolOptions(tool: ToolId, page: Page): TemplateResult | null {
-  return options[tool]?.(page) ?? null;
+export function toolOptions(id: ToolId, page: Page): TemplateResult | null {
+  const tools = page.tools.all;
+  return (tools && options[id]?.(page, tools)) ?? null;
 }

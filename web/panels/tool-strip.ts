@@ -13,7 +13,7 @@ export class WhittleToolStrip extends PageElement {
     if (faces.length < 2 || !this.state.project) return nothing;
     const options = toolOptions(this.state.tool, this.page);
     return html`
-      <div class="strip" role="radiogroup" aria-label="Tools">${faces.map((face) => this.#face(face))}</div>
+      <div class="strip" role="radiogroup" aria-label="Tools" aria-busy=${this.page.tools.isBusy}>${faces.map((face) => this.#face(face))}</div>
       ${options ? html`<section class="tool-options" aria-label="What the tool does">${options}</section>` : nothing}
     `;
   }

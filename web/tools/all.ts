@@ -1,16 +1,22 @@
-import type { Editor } from '../../src/editor/editor.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
+import type { HandleActions } from '../app/handle-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
-import type { Tool, ToolId } from './tool.ts';
+import type { Selectable } from '../app/selectable.ts';
+import { MoveHandles } from './move-handles.ts';
 
-/** What a tool works with. */
+/** What tools work with. */
 export interface ToolParts {
   readonly store: PageStore;
-  readonly editor: Editor;
   readonly interaction: Interaction;
+  readonly handles: HandleActions;
+  readonly surface: Selectable;
+  /** Runs something before the next picture. */
+  readonly soon: (run: () => void) => void;
 }
 
 /** Every tool; a new one is a file beside this, its line here, its options among the panels and its face on the strip. */
-export function makeTools(_parts: ToolParts): ReadonlyMap<ToolId, Tool> {
-  return new Map();
+export function makeTools(parts: ToolParts) {
+  return { move: new MoveHandles(parts) };
 }
+
+export type Tools = ReturnType<typeof makeTools>;

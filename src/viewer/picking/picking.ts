@@ -68,6 +68,11 @@ export class Picking {
     if (this.#surface) this.#build();
   }
 
+  /** Whether what is under a pointer can be told of the mesh that is shown. */
+  get isReady(): boolean {
+    return this.#tree !== null;
+  }
+
   /** Resolves when the tree fits what is drawn. */
   ready(): Promise<void> {
     this.want();

@@ -1,0 +1,24 @@
+import type { MethodDescriptor } from './descriptor.ts';
+import type { ParameterDescriptor } from './values/index.ts';
+
+/** The parameters that a person sets on the mesh itself, by what they are for. A method that has none of a kind cannot be touched so. */
+
+/** Vertices held at places. */
+export const handlesParameter = (method: MethodDescriptor | undefined): string | undefined =>
+  named(method, 'handles');
+
+/** A strength for each vertex. */
+export const strengthParameter = (method: MethodDescriptor | undefined): string | undefined =>
+  named(method, 'scalars');
+
+/** Regions that are turned. */
+export const regionsParameter = (method: MethodDescriptor | undefined): string | undefined =>
+  named(method, 'rotations');
+
+/** How all of it is turned. */
+export const orientationParameter = (method: MethodDescriptor | undefined): string | undefined =>
+  named(method, 'rotation');
+
+function named(method: MethodDescriptor | undefined, kind: ParameterDescriptor['kind']): string | undefined {
+  return method?.parameters.find((parameter) => parameter.kind === kind)?.name;
+}

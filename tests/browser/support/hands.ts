@@ -1,0 +1,23 @@
+import type { Page } from 'playwright-core';
+
+export type Place = readonly [x: number, y: number];
+
+/** Takes a tool from the strip and waits until it can take something of the mesh. */
+export async function takeTool(page: Page, title: string): Promise<void> {
+  await page.locator('.strip').getByText(title, { exact: true }).click();
+  await page.waitForSelector('.strip[aria-busy=false]');
+}
+
+/** Presses, goes through places of the window and lets go. */
+export async function drag(page: Page, ...[first, ...others]: readonly Place[]): Promise<void> {
+  await page.mouse.move(...first!);
+  await page.mouse.down();
+  for (const place of others) await page.mouse.move(...place, { steps: 4 });
+  await page.mouse.up();
+}
+
+/** Waits for the last entry for undo to be the named one, and for its shape. */
+export async function done(page: Page, entry: string): Promise<void> {
+  await page.waitForSelector(`[data-act=undo][aria-label="Undo ${entry}"]`);
+  await page.waitForSelector('whittle-status[data-activity=idle]');
+}

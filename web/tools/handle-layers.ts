@@ -1,0 +1,67 @@
+import { centerIn, type HandleGroup, targetCenter } from '../../src/editor/handle-groups.ts';
+import { type Project, restShapeOf } from '../../src/editor/project.ts';
+import type { Handles } from '../../src/methods/values/handles.ts';
+import type { Layer } from '../../src/viewer/layers/layer.ts';
+import type { Layers } from '../../src/viewer/layers/layers.ts';
+
+const red = '#d8342a';
+const orange = '#f0891c';
+const grey = '#8a8078';
+
+/** What pressing on the mesh does. */
+export type MoveMode = 'pull' | 'hold' | 'let-go';
+
+const hoverColors: Readonly<Record<MoveMode, string>> = { pull: orange, hold: red, 'let-go': grey };
+
+/** What is held in red, what is moved in orange with arrows from where it was, and what a press would take. */
+export class HandleLayers {
+  readonly #layers: Layers;
+  /** What the layers were made of: the handles change with every frame of a drag, the groups do not. */
+  #shown: readonly unknown[] = [];
+
+  constructor(layers: Layers) {
+    this.#layers = layers;
+  }
+
+  show(
+    groups: readonly HandleGroup[],
+    active: HandleGroup | null,
+    handles: Handles,
+    project: Project | null,
+  ): void {
+    const isOrange = (group: HandleGroup) => group.isMoved || group.name === active?.name;
+    const held = groups.filter((group) => !isOrange(group)).flatMap(({ vertices }) => vertices);
+    const moved = groups.filter(isOrange).flatMap(({ vertices }) => vertices);
+    const now = [project?.mesh, held.length, held[0], moved.length, moved[0], moved.at(-1)];
+    if (now.some((value, k) => value !== this.#shown[k])) {
+      this.#layers.set('handles-held', dots(held, red));
+      this.#layers.set('handles-moved', dots(moved, orange));
+      this.#shown = now;
+    }
+    this.#layers.set('handles-arrows', project && arrows(groups, handles, project));
+  }
+
+  /** @param positions what a press would take */
+  hover(positions: readonly number[], mode: MoveMode): void {
+    this.#layers.set('handles-hover', dots(positions, hoverColors[mode], 4));
+  }
+
+  clear(): void {
+    this.#shown = [];
+    for (const name of ['handles-held', 'handles-moved', 'handles-arrows', 'handles-hover'])
+      this.#layers.set(name, null);
+  }
+}
+
+function dots(positions: readonly number[], color: string, size = 6): Layer | null {
+  return positions.length > 0 ? { kind: 'points', positions, color, size, depth: 'hidden-behind' } : null;
+}
+
+function arrows(groups: readonly HandleGroup[], handles: Handles, project: Project): Layer | null {
+  const rest = restShapeOf(project, project.active);
+  const moved = groups.filter(({ isMoved }) => isMoved);
+  if (!rest || moved.length === 0) return null;
+  const from = moved.flatMap(({ vertices }) => centerIn(rest, vertices));
+  const to = moved.flatMap(({ vertices }) => targetCenter(handles, vertices));
+  return { kind: 'arrows', from, to, width: 2, color: orange, depth: 'in-front' };
+}
