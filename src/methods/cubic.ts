@@ -1,6 +1,35 @@
 import type { MethodDescriptor } from './descriptor.ts';
 import { lambdaPerVertex, shared } from './shared-parameters.ts';
 import { startingLambda } from './starting-lambda.ts';
+import type { Directions } from './values/points.ts';
+
+const slant = Math.sqrt(3) / 2;
+
+/** B of the named polyhedra, as `wasm/core/methods/local_global/cubic/polyhedron.cpp` has them: edges and their lengths. */
+const polyhedronRows = {
+  cube: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  'hexagonal-prism': [
+    [2 / 3, 0, 0],
+    [1 / 3, 0, (2 / 3) * slant],
+    [-1 / 3, 0, (2 / 3) * slant],
+    [0, 1, 0],
+  ],
+  'rhombic-dodecahedron': [1, -1].flatMap((y) =>
+    [1, -1].map((z) => [slant / 2, (slant / 2) * y, (slant / 2) * z] as const),
+  ),
+  'truncated-octahedron': ([0, 1, 2] as const).flatMap((axis) =>
+    [1, -1].map((sign) => {
+      const row: [number, number, number] = [0, 0, 0];
+      row[axis] = Math.SQRT1_2 / 2;
+      row[(axis + 1) % 3] = (Math.SQRT1_2 / 2) * sign;
+      return row;
+    }),
+  ),
+} satisfies Record<string, Directions>;
 
 export const cubic: MethodDescriptor = {
   id: 'cubic',
@@ -45,6 +74,7 @@ export const cubic: MethodDescriptor = {
       default: 'cube',
       choices: ['cube', 'hexagonal-prism', 'rhombic-dodecahedron', 'truncated-octahedron'],
       maxRows: 12,
+      rows: polyhedronRows,
     },
     {
       name: 'orientation',

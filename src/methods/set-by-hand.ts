@@ -1,4 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
+import type { ChoiceParameter } from './values/choice.ts';
 import type { ParameterDescriptor } from './values/index.ts';
 
 /** The parameters that a person sets on the mesh itself, by what they are for. A method that has none of a kind cannot be touched so. */
@@ -18,6 +19,17 @@ export const regionsParameter = (method: MethodDescriptor | undefined): string |
 /** How all of it is turned. */
 export const orientationParameter = (method: MethodDescriptor | undefined): string | undefined =>
   named(method, 'rotation');
+
+/** A factor for each axis. */
+export const axesParameter = (method: MethodDescriptor | undefined): string | undefined =>
+  named(method, 'vector');
+
+/** What normals are drawn to, by a name or by rows of one's own. */
+export function polyhedronParameter(method: MethodDescriptor | undefined): ChoiceParameter | undefined {
+  return method?.parameters.find(
+    (one): one is ChoiceParameter => one.kind === 'choice' && one.maxRows !== undefined,
+  );
+}
 
 function named(method: MethodDescriptor | undefined, kind: ParameterDescriptor['kind']): string | undefined {
   return method?.parameters.find((parameter) => parameter.kind === kind)?.name;

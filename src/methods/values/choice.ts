@@ -9,6 +9,8 @@ export interface ChoiceParameter extends Parameter {
   readonly choices: readonly string[];
   /** Set where a list of rows will do: how many at most. Whether their lengths make sense is for the core. */
   readonly maxRows?: number;
+  /** The rows that names stand for; for pictures, and to begin rows of one's own with. */
+  readonly rows?: Readonly<Record<string, Directions>>;
 }
 
 export const choice: ValueKind<ChoiceParameter, string | Directions> = {
