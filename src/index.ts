@@ -32,6 +32,7 @@ export type { GaussMap } from './methods/values/gauss-map.ts';
 export type { Handles } from './methods/values/handles.ts';
 export type { ParameterDescriptor, ParameterValue, ParameterValues } from './methods/values/index.ts';
 export type { Plane, Planes } from './methods/values/planes.ts';
+export type { SphereField } from './methods/values/sphere-field.ts';
 export {
   type Asset,
   formatRecipe,

@@ -3,7 +3,7 @@ import type { FilesBeside, Format } from '../io/index.ts';
 import type { Mesh, MeshReport } from '../mesh/mesh.ts';
 import { movedMesh } from '../mesh/weld.ts';
 import { findMethod } from '../methods/registry.ts';
-import type { ParameterValues } from '../methods/values/index.ts';
+import { type ParameterValues, takesNames } from '../methods/values/index.ts';
 import type { Asset, Group, RecipeStep, StepRun } from '../recipe/index.ts';
 
 /** The file as it came. */
@@ -93,9 +93,7 @@ export function inputsOf(
   from: Float64Array<ArrayBuffer>,
   assets: Assets,
 ): StepInputs {
-  const names = (findMethod(method)?.parameters ?? [])
-    .filter(({ kind }) => kind === 'style' || kind === 'textureSlopes')
-    .map(({ name }) => parameters[name]);
+  const names = (findMethod(method)?.parameters ?? []).filter(takesNames).map(({ name }) => parameters[name]);
   const used = names.map((name) => (typeof name === 'string' ? assets.get(name) : undefined));
   return { from, method, parameters, assets: used };
 }

@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { lambdaPerVertex, regularizer, shared } from './shared-parameters.ts';
+import { lambdaOnGaussMap, lambdaPerVertex, regularizer, shared } from './shared-parameters.ts';
 import { startingRegularizer, startingStrength } from './starting-lambda.ts';
 
 export const analogy: MethodDescriptor = {
@@ -57,6 +57,7 @@ export const analogy: MethodDescriptor = {
       default: false,
     },
     lambdaPerVertex,
+    lambdaOnGaussMap,
     ...shared,
   ],
 };

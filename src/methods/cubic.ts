@@ -1,5 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
-import { lambdaPerVertex, shared } from './shared-parameters.ts';
+import { lambdaOnGaussMap, lambdaPerVertex, shared } from './shared-parameters.ts';
 import { startingLambda } from './starting-lambda.ts';
 import type { Directions } from './values/points.ts';
 
@@ -54,6 +54,7 @@ export const cubic: MethodDescriptor = {
       slider: { min: 0, max: 2, step: 0.01 },
     },
     lambdaPerVertex,
+    lambdaOnGaussMap,
     {
       name: 'lambdaAxes',
       kind: 'vector',

@@ -4,6 +4,7 @@ import type { ParameterDescriptor } from './values/index.ts';
 import type { NumberParameter } from './values/number.ts';
 import type { PlanesParameter } from './values/planes.ts';
 import type { ScalarsParameter } from './values/scalars.ts';
+import type { SphereFieldParameter } from './values/sphere-field.ts';
 
 export const handles: HandlesParameter = {
   name: 'handles',
@@ -132,3 +133,12 @@ export const strengthByVertex = (max: number): ScalarsParameter => ({
 });
 
 export const lambdaPerVertex = strengthByVertex(100);
+
+export const lambdaOnGaussMap: SphereFieldParameter = {
+  name: 'lambdaOnGaussMap',
+  kind: 'sphereField',
+  label: 'Strength by direction',
+  doc: 'What share of λ a surface has by the way it looks, as a grey picture of the sphere (2019, §4, Gauss map); it may be painted.',
+  invalidates: 'weights',
+  advanced: true,
+};

@@ -1,5 +1,6 @@
 import type { Engine } from '../engine/client.ts';
 import type { ReadResult } from '../engine/protocol.ts';
+import { readSphereField, sphereFieldOfImage } from '../inputs/fields/read-sphere-field.ts';
 import type { Image } from '../inputs/images/image.ts';
 import { layTexture } from '../inputs/images/lay.ts';
 import { patternIds } from '../inputs/images/patterns.ts';
@@ -14,6 +15,7 @@ import { findMethod } from '../methods/registry.ts';
 import type { GaussMap } from '../methods/values/gauss-map.ts';
 import type { ParameterValue, ParameterValues } from '../methods/values/index.ts';
 import type { Directions } from '../methods/values/points.ts';
+import type { SphereField } from '../methods/values/sphere-field.ts';
 import type { StyleParameter } from '../methods/values/style.ts';
 import type { RecipeStep } from './recipe.ts';
 
@@ -27,7 +29,8 @@ export interface TexturedMesh {
 export type Asset =
   | { readonly kind: 'gauss-map'; readonly map: GaussMap }
   | { readonly kind: 'mesh'; readonly mesh: Mesh }
-  | { readonly kind: 'image'; readonly image: Image };
+  | { readonly kind: 'image'; readonly image: Image }
+  | { readonly kind: 'sphere-field'; readonly field: SphereField };
 
 /** Where the names in a recipe lead. */
 export interface Surroundings {
@@ -59,6 +62,8 @@ export class Resolver {
   readonly #maps = new Map<string, Promise<GaussMap>>();
   readonly #mapsOfAssets = new WeakMap<Asset, Promise<GaussMap>>();
   readonly #images = new WeakMap<Uint8Array, Promise<Image>>();
+  readonly #fields = new Map<string, Promise<SphereField>>();
+  readonly #fieldsOfAssets = new WeakMap<Asset, Promise<SphereField>>();
 
   constructor(engine: Engine, surroundings: Surroundings = {}) {
     this.#engine = engine;
@@ -80,6 +85,8 @@ export class Resolver {
     for (const descriptor of findMethod(step.method)?.parameters ?? []) {
       const { name, kind } = descriptor;
       if (kind === 'style') values[name] = await this.#styleOf(descriptor, step.parameters);
+      if (kind === 'sphereField' && typeof values[name] === 'string')
+        values[name] = await this.#fieldOf(values[name] as string);
       if (kind !== 'textureSlopes' || typeof (values[name] ?? '') !== 'string') continue;
       const texture = await this.#textureOf(values[name] as string | undefined, step.parameters, surface);
       const { repeat } = step.parameters as TextureSlopesOptions;
@@ -118,6 +125,13 @@ export class Resolver {
     const { [parameter.name]: value = parameter.default, mapping = parameter.mapping ?? 'auto' } = values;
     if (typeof value !== 'string' && !Array.isArray(value)) return value as GaussMap;
     return this.gaussMap(parameter, value as string | Directions, mapping as Mapping);
+  }
+
+  /** A field that is a file is read once, as long as it is read from the same place. */
+  #fieldOf(given: string): Promise<SphereField> {
+    const asset = this.#surroundings.asset(given);
+    if (!asset) return remembered(this.#fields, given, () => readSphereField(given, this.#surroundings));
+    return remembered(this.#fieldsOfAssets, asset, async () => fieldOfAsset(asset, given));
   }
 
   async #textureOf(
@@ -161,7 +175,13 @@ async function mapOfAsset(
 ): Promise<GaussMap> {
   if (asset.kind === 'gauss-map') return asset.map;
   if (asset.kind === 'mesh') return at(name, () => resolveStyle(asset.mesh, mapping, flow));
-  throw new WhittleError('bad-parameter', `${name} is an image and no style; choose a shape.`);
+  throw new WhittleError('bad-parameter', `${name} is a picture and no style; choose a shape.`);
+}
+
+function fieldOfAsset(asset: Asset, name: string): SphereField {
+  if (asset.kind === 'sphere-field') return asset.field;
+  if (asset.kind === 'image') return sphereFieldOfImage(asset.image, name);
+  throw new WhittleError('bad-parameter', `${name} is a shape and no field; choose a grey picture.`);
 }
 
 interface Memory<Key, Value> {

@@ -1,4 +1,7 @@
+import { writeFile } from 'node:fs/promises';
 import { afterEach, beforeEach, expect, test } from 'vitest';
+import { pngOfSphereField } from '../../src/inputs/fields/read-sphere-field.ts';
+import { sphereFieldOf } from '../../src/inputs/fields/sphere-field.ts';
 import { objPositions, objText } from '../fixtures/mesh-files.ts';
 import { icosphere } from '../fixtures/meshes.ts';
 import { Desk } from './harness.ts';
@@ -92,4 +95,18 @@ test('planes come from a file', async () => {
   await desk.write('planes.json', [{ vertices: [0, 5, 9], normal: [0, 0, 2], offset: 1 }]);
   const flat = await carved('--planes @planes.json');
   for (const vertex of [0, 5, 9]) expect(flat[3 * vertex + 2]).toBeCloseTo(0.5, 9);
+});
+
+test('strength by direction is a picture, or a field in a JSON file', async () => {
+  const field = sphereFieldOf(32, ([x]) => (x < 0 ? 1 : 0));
+  await writeFile(desk.path('left.png'), pngOfSphereField(field));
+  await desk.write('left.json', { ...field, values: [...field.values] });
+  const left = await carved('--lambda-on-gauss-map @left.png');
+  expect(await carved('--lambda-on-gauss-map @left.json')).toEqual(left);
+  expect(farthest(left, await carved())).toBeGreaterThan(0.02);
+  await desk.write('recipe.json', {
+    ...{ whittle: 1, steps: [{ method: 'cubic', lambda: 0.5, lambdaOnGaussMap: 'left.png' }] },
+  });
+  await desk.run('run @recipe.json @in.obj --quiet --out @out.obj');
+  expect(objPositions(await desk.read('out.obj'))).toEqual(left);
 });

@@ -47,6 +47,8 @@ WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
 ///   rotations         numbers x y z w for each vertex; four zeros say nothing of theirs
 ///   style             name "closest": numbers are normals, #N×3; name "vertex" or "face": indices are #P, then
 ///                     triangles #T×3, numbers are points on the sphere, #P×3, then a normal for each point or triangle
+///   sphereField       indices are the width and height of a picture of the sphere, 2:1, numbers its pixels from 0 to 1, rows
+///                     from the top
 ///   textureSlopes     numbers are texture coordinates, then slopes of the faces' corners, both 3·#F×2
 ///   handles           indices are vertices as they were loaded, numbers their targets, #handles×3 in the file's units
 ///   planes            indices are, plane by plane, how many vertices it holds and these; numbers a normal of any length

@@ -44,7 +44,7 @@ let brought = 0;
 export function ownStyle(
   group: StyleGroup,
   source: string,
-  asset: Exclude<Asset, { kind: 'image' }>,
+  asset: Extract<Asset, { kind: 'mesh' | 'gauss-map' }>,
 ): StyleEntry {
   const name = source.replace(/\.[^.]*$/, '') || source;
   const subject = () => (asset.kind === 'mesh' ? { mesh: asset.mesh } : { map: asset.map });

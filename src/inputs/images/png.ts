@@ -45,6 +45,15 @@ export function writePng({ width, height, data }: CapturePixels): Uint8Array<Arr
   return new Uint8Array(encode({ width, height, data, depth: 8, channels: 4 }));
 }
 
+/** A PNG of one number a pixel. @param data 0 to 65535, rows from the top */
+export function writeGreyPng(grey: {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Uint16Array;
+}): Uint8Array<ArrayBuffer> {
+  return new Uint8Array(encode({ ...grey, depth: 16, channels: 1 }));
+}
+
 /** Four numbers a pixel up to `white`, whatever the file has: grey or colour, with or without alpha, a palette, 1 to 16 bits. */
 function rgba<Numbers extends Uint8Array | Uint16Array>(
   png: DecodedPng,

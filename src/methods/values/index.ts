@@ -8,6 +8,7 @@ import { planes } from './planes.ts';
 import { rotation } from './rotation.ts';
 import { rotations } from './rotations.ts';
 import { scalars } from './scalars.ts';
+import { sphereField } from './sphere-field.ts';
 import { style } from './style.ts';
 import { textureSlopes } from './texture-slopes.ts';
 import { vector } from './vector.ts';
@@ -22,6 +23,7 @@ const kinds = {
   rotation,
   scalars,
   rotations,
+  sphereField,
   style,
   textureSlopes,
   handles,
@@ -75,6 +77,11 @@ export function encodeValue(descriptor: ParameterDescriptor, value: ParameterVal
 
 export function valueHelp(descriptor: ParameterDescriptor): ValueHelp {
   return kindOf(descriptor).help(descriptor);
+}
+
+/** Whether a parameter's value may be the name of something: a file, an asset, one of ours. */
+export function takesNames(descriptor: ParameterDescriptor): boolean {
+  return kindOf(descriptor).takesNames === true;
 }
 
 /** Whether what was typed after a parameter's flag is the name of a JSON file that holds the value. */

@@ -49,6 +49,8 @@ export interface ValueKind<Descriptor extends Parameter, Value> {
    */
   readonly encode: (descriptor: Descriptor, value: Value, weld: Weld) => Encoded;
   readonly help: (descriptor: Descriptor) => ValueHelp;
+  /** Whether a value may be a mere name, which `src/inputs` turns into what the engine takes. */
+  readonly takesNames?: true;
   /** The value that was typed after a flag; text that looks wrong stays text, for {@link problem} to quote. Absent: see {@link isFile}. */
   readonly fromText?: (text: string) => unknown;
   /** Whether what was typed names a JSON file that holds the value. Absent: it does where nothing can be typed. */

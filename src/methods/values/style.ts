@@ -42,6 +42,7 @@ export const style: ValueKind<StyleParameter, StyleName | Directions | GaussMap>
     value: 'NAME|FILE',
     range: `a FILE.json lists [[x, y, z], …]; default ${usual}`,
   }),
+  takesNames: true,
   fromText: (text) => text,
   isFile: () => false,
 };

@@ -51,5 +51,6 @@ export const textureSlopes: ValueKind<TextureSlopesParameter, ImageName | Textur
     return { name: '', numbers, indices: noIndices };
   },
   help: () => ({ value: 'NAME|FILE.png', range: 'default the normal map inside the file, if there is one' }),
+  takesNames: true,
   fromText: (text) => text,
 };

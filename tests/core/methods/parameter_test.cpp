@@ -29,6 +29,7 @@ struct Everything {
   Quaternions rotations;
   std::shared_ptr<const GaussMap> style;
   std::shared_ptr<const TextureSlopes> texture;
+  std::shared_ptr<const SphereField> field;
   Handles handles;
   Planes planes;
   Group group{9};
@@ -47,6 +48,7 @@ ParameterList<Everything> everything() {
        bind("rotations", &P::rotations, Stale::weights, RotationsKind{}),
        bind("style", &P::style, Stale::weights, StyleKind{}),
        bind("texture", &P::texture, Stale::weights, TextureSlopesKind{}),
+       bind("field", &P::field, Stale::weights, SphereFieldKind{}),
        bind("handles", &P::handles, Stale::system, HandlesKind{}),
        bind("planes", &P::planes, Stale::system, PlanesKind{})},
       &P::group, {bind("count", &Group::count, Stale::targets, IntegerKind{{0, 20}})});
@@ -109,6 +111,7 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
                {"rotations", encoded(sixteen), Stale::weights},
                {"style", encoded(tetrahedron(GaussMapData::Kind::closest)), Stale::weights},
                {"texture", encoded(textureOn(bench.mesh)), Stale::weights},
+               {"field", encoded(SphereField{2, Scalars::LinSpaced(8, 0, 1)}), Stale::weights},
                {"handles", encoded(Handles{{2}, Points::Ones(1, 3)}), Stale::system},
                {"planes", encoded(Planes{{{2, 3}, Vec3(1, 2, 3), 4}}), Stale::system},
                {"count", encoded(8), Stale::targets}};
@@ -128,6 +131,7 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
   CHECK(set.rotations(1, 0) == 5);
   CHECK(set.style->data() == tetrahedron(GaussMapData::Kind::closest));
   CHECK(*set.texture == textureOn(bench.mesh));
+  CHECK(set.field->values[7] == 1);
   CHECK(set.handles.vertices == std::vector<Index>{2});
   CHECK(set.planes.at(0).vertices == std::vector<Index>{2, 3});
   CHECK(set.group.count == 8);
@@ -141,6 +145,7 @@ TEST_CASE("every kind takes its value, notices the same one, and nothing at all 
   CHECK(set.matrix.isNamed());
   CHECK(set.scalars.size() == 0);
   CHECK(!set.style);
+  CHECK(!set.field);
   CHECK(set.handles.vertices.empty());
   CHECK(set.planes.empty());
   CHECK(set.group.count == 9);  // what the method has for a default, not what the group has
@@ -211,6 +216,12 @@ TEST_CASE("what a kind cannot read is refused with the parameter's name, and the
   refuses("style", EncodedValue{"vertex", {1, 0, 0, 1, 0, 0}, {1, 0, 0}});
   refuses("texture", encoded(Scalars::Ones(7)));
   refuses("texture", encoded(Scalars::Ones(8)));
+  refuses("field", encoded(SphereField{2, Scalars::Zero(9)}));
+  refuses("field", encoded(SphereField{1, Scalars::Zero(2)}));
+  refuses("field", encoded(SphereField{2, Scalars::Constant(8, 1.01)}));
+  CHECK(bench.refusal("field", encoded(SphereField{2, Scalars::Unit(8, 5) * nan})).element.index == 0);
+  refuses("field", EncodedValue{"", std::vector<double>(8), {8, 1}});
+  refuses("field", encoded(Scalars::Zero(8)));
   refuses("handles", encoded(Handles{{4}, Points::Zero(1, 3)}));
   refuses("handles", EncodedValue{"", {0, 0}, {1}});
   refuses("planes", encoded(Planes{{{4}, Vec3::UnitX(), 0}}));

@@ -13,6 +13,7 @@
 #include "methods/values/rotation.h"
 #include "methods/values/rotations.h"
 #include "methods/values/scalars.h"
+#include "methods/values/sphere_field.h"
 #include "methods/values/style.h"
 #include "methods/values/texture_slopes.h"
 #include "methods/values/vector.h"

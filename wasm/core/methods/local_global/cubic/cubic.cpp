@@ -25,7 +25,8 @@ Status CubicLocalStep::check(const CubicParameters& values) {
 }
 
 std::vector<std::string> CubicLocalStep::warnings(const CubicParameters& values) {
-  const bool isFlat = values.lambdaPerVertex.size() ? values.lambdaPerVertex.isZero(0) : values.lambda == 0;
+  const bool isFlat = (values.lambdaPerVertex.size() ? values.lambdaPerVertex.isZero(0) : values.lambda == 0) ||
+                      (values.lambdaOnGaussMap && values.lambdaOnGaussMap->values.isZero(0));
   if (!isFlat || !values.handles.vertices.empty() || !values.planes.empty()) return {};
   return {"λ is 0 everywhere and there are no handles, so nothing moves."};
 }
@@ -43,7 +44,10 @@ void CubicLocalStep::prepareVertices(const RestShape& rest, const CubicParameter
   const Points normals = fans.areVertices() ? rest.normals : fanNormals(positions, triangles, fans);
   const Scalars areas = fans.areVertices() ? rest.areas : barycentricAreas(positions, triangles, fans);
   const Scalars& own = values.lambdaPerVertex;
-  const auto cubeness = [&](Index v) { return own.size() ? own[v] : values.lambda; };  // λ_i, Eq. 1
+  const SphereField* const onGaussMap = values.lambdaOnGaussMap.get();
+  const auto cubeness = [&](Index v, const Vec3& n) {  // λ_i, Eq. 1
+    return (own.size() ? own[v] : values.lambda) * (onGaussMap ? (*onGaussMap)(n) : 1);
+  };
   layout_ = FanLayout(fans);
   fans_.assign(layout_.slotCount(), {{splat(0), splat(0), splat(0)}, splat(0)});
   for (Index v = 0; v < rest.mesh.vertexCount(); ++v) {
@@ -51,7 +55,7 @@ void CubicLocalStep::prepareVertices(const RestShape& rest, const CubicParameter
       FanLanes& lanes = fans_[layout_.lanes[fan] / 4];
       const Vec3 n = normals.row(fan).transpose();
       setVector(lanes.n, v % 4, n);
-      if (!n.isZero(0)) lanes.weight[v % 4] = static_cast<float>(cubeness(v) * areas[fan]);
+      if (!n.isZero(0)) lanes.weight[v % 4] = static_cast<float>(cubeness(v, n) * areas[fan]);
     }
   }
   normals_.resize(static_cast<std::size_t>(layout_.most));
@@ -109,6 +113,7 @@ MethodInfo cubicMethod() {
   const ChoiceOrRowsKind<Polyhedron::Name> polyhedra{{Polyhedron::names()}, Polyhedron::kMostRows};
   const ParameterList<P> own = {bind("lambda", &P::lambda, Stale::weights, NumberKind{{0, 100}}),
                                 bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 100}}),
+                                bind("lambdaOnGaussMap", &P::lambdaOnGaussMap, Stale::weights, SphereFieldKind{}),
                                 bind("lambdaAxes", &P::lambdaAxes, Stale::weights, VectorKind<3>{{0, 100}}),
                                 bind("polyhedron", &P::polyhedron, Stale::weights, polyhedra),
                                 bind("orientation", &P::orientation, Stale::weights, RotationKind{}),

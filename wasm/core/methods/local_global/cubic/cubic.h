@@ -7,6 +7,7 @@
 #include "methods/local_global/cubic/style_frames.h"
 #include "methods/local_global/local_global.h"
 #include "methods/values/choice_or_rows.h"
+#include "targets/sphere_field.h"
 
 namespace whittle {
 
@@ -14,12 +15,13 @@ namespace whittle {
 enum class CubicSolverKind { exact, admm };
 
 struct CubicParameters {
-  double lambda = 0.2;                           // λ, Eq. 1: cubeness of all vertices
-  Scalars lambdaPerVertex;                       // λ of each vertex in its place, #V; or empty
-  Vec3 lambdaAxes = Vec3::Ones();                // what the cube takes λ times on each axis
-  NameOrRows<Polyhedron::Name> polyhedron;       // B, §4
-  Quaternion orientation = kIdentityQuaternion;  // Q of all vertices
-  Quaternions frames;                            // Q of single vertices, #V×4; or empty
+  double lambda = 0.2;                                  // λ, Eq. 1: cubeness of all vertices
+  Scalars lambdaPerVertex;                              // λ of each vertex in its place, #V; or empty
+  std::shared_ptr<const SphereField> lambdaOnGaussMap;  // what of it normals of the rest shape have; or null: all
+  Vec3 lambdaAxes = Vec3::Ones();                       // what the cube takes λ times on each axis
+  NameOrRows<Polyhedron::Name> polyhedron;              // B, §4
+  Quaternion orientation = kIdentityQuaternion;         // Q of all vertices
+  Quaternions frames;                                   // Q of single vertices, #V×4; or empty
   CubicSolverKind localStep = CubicSolverKind::exact;
   Handles handles;
   Planes planes;

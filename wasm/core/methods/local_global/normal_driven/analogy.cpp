@@ -20,6 +20,7 @@ void AnalogyLocalStep::prepare(const RestShape& rest, const AnalogyParameters& v
   } else {
     targets_.prepareFans(rest, values.lambda, values.lambdaPerVertex);
   }
+  if (values.lambdaOnGaussMap) targets_.weaken(*values.lambdaOnGaussMap);
   present_ = targets_.normals();
   scratch_.resize(targets_.count());
   lookUpTargets();
@@ -49,6 +50,7 @@ MethodInfo analogyMethod() {
                                 bind("regularizer", &P::regularizer, Stale::all, rigidities()),
                                 bind("dynamicTargets", &P::dynamicTargets, Stale::weights, FlagKind{}),
                                 bind("lambdaPerVertex", &P::lambdaPerVertex, Stale::weights, ScalarsKind{{0, 100}}),
+                                bind("lambdaOnGaussMap", &P::lambdaOnGaussMap, Stale::weights, SphereFieldKind{}),
                                 bind("handles", &P::handles, Stale::system, HandlesKind{}),
                                 bind("planes", &P::planes, Stale::system, PlanesKind{}),
                                 bind("parts", &P::parts, Stale::system, waysOfParts())};

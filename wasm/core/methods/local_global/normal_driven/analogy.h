@@ -5,6 +5,7 @@
 #include "methods/local_global/local_global.h"
 #include "methods/local_global/normal_driven/element_targets.h"
 #include "targets/gauss_map.h"
+#include "targets/sphere_field.h"
 
 namespace whittle {
 
@@ -12,8 +13,9 @@ struct AnalogyParameters {
   std::shared_ptr<const GaussMap> style;  // has to be given
   double lambda = 1;                      // λ, Eq. 3, of all vertices
   Rigidity regularizer = Rigidity::arap;
-  bool dynamicTargets = false;  // whether targets follow the output, §4.2
-  Scalars lambdaPerVertex;      // λ of each vertex in its place, #V; or empty
+  bool dynamicTargets = false;                          // whether targets follow the output, §4.2
+  Scalars lambdaPerVertex;                              // λ of each vertex in its place, #V; or empty
+  std::shared_ptr<const SphereField> lambdaOnGaussMap;  // what of it normals of the rest shape have; or null: all
   Handles handles;
   Planes planes;
   Parts parts = Parts::together;

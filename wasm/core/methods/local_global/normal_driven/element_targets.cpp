@@ -54,8 +54,19 @@ void ElementTargets::takeNormals() {
     setVector(slots_[lane / 4].normal, lane % 4, normals_.row(k).transpose());
     if (normals_.row(k).isZero(0)) strengths_[k] = 0;
   }
+  forgetTargets();
+}
+
+void ElementTargets::forgetTargets() {
   energies_ = 2 * strengths_;  // of a target that is not there yet, as of one across
   energy_ = energies_.sum();
+}
+
+void ElementTargets::weaken(const SphereField& field) {
+  for (Index k = 0; k < count(); ++k) {
+    if (strengths_[k] != 0) strengths_[k] *= field(normals_.row(k).transpose());
+  }
+  forgetTargets();
 }
 
 Scalars ElementTargets::elementStrengths() const {

@@ -4,6 +4,7 @@
 #include "methods/local_global/local_step.h"
 #include "methods/local_global/rigidity.h"
 #include "simd/lane_algebra.h"
+#include "targets/sphere_field.h"
 
 namespace whittle {
 
@@ -19,6 +20,8 @@ class ElementTargets {
   void prepare(const RestShape& rest, Rigidity rigidity, double lambda, const Scalars& ownLambdas = {});
   /// Takes the vertices with a normal for each smooth fan.
   void prepareFans(const RestShape& rest, double lambda, const Scalars& ownLambdas = {});
+  /// Leaves of λ what the field says of each normal. Targets come after it.
+  void weaken(const SphereField& field);
 
   /// How many normals there are: of all elements, or of all fans.
   Index count() const { return static_cast<Index>(strengths_.size()); }
@@ -38,6 +41,7 @@ class ElementTargets {
 
  private:
   void takeNormals();
+  void forgetTargets();
 
   /// A normal of each of four elements.
   struct Slot {
