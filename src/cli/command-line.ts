@@ -2,24 +2,22 @@ import { readFile } from 'node:fs/promises';
 import type { Engine } from '../engine/client.ts';
 import { createNodeEngine } from '../engine/in-node.ts';
 import { methods } from '../methods/registry.ts';
-import { parseRecipe, type RecipeStep } from '../recipe/index.ts';
 import { type Command, parseCommand } from './command.ts';
-import { readText } from './files.ts';
 import { generalHelp, methodHelp, methodsHelp } from './help.ts';
 import { runJob } from './job.ts';
-import { readParameters } from './parameters.ts';
 import { exitCodes, explain } from './problems.ts';
 import { ProgressLine, type ProgressStream } from './progress.ts';
 import type { RunReport } from './report.ts';
+import { type RunCommand, workOf } from './work.ts';
 
-/** Where a command line writes and how it hears of Ctrl-C. */
+/** Where a command line reads and writes, and how it hears of Ctrl-C. */
 export interface Terminal {
+  /** Default: empty. */
+  readonly stdin?: AsyncIterable<Uint8Array>;
   readonly stdout: { write(text: string): unknown };
   readonly stderr: ProgressStream;
   readonly signal: AbortSignal;
 }
-
-type RunCommand = Extract<Command, { kind: 'recipe' | 'method' }>;
 
 /**
  * The whole command line.
@@ -61,17 +59,16 @@ async function carryOut(command: Command, terminal: Terminal, openEngine: () => 
 
 async function run(
   command: RunCommand,
-  { stderr, signal }: Terminal,
+  { stdin, stderr, signal }: Terminal,
   openEngine: () => Engine,
 ): Promise<void> {
   const { files } = command;
-  const steps = await stepsOf(command);
-  const recipe = command.kind === 'recipe' ? command.recipe : undefined;
+  const work = await workOf(command, stdin);
   const progress = new ProgressLine(stderr, files.quiet);
   const engine = openEngine();
   let report: RunReport;
   try {
-    report = await runJob(engine, { steps, recipe, files, progress, signal });
+    report = await runJob(engine, { ...work, files, progress, signal });
   } finally {
     progress.clear();
     engine.dispose();
@@ -81,12 +78,6 @@ async function run(
     stderr.write(`${warning.startsWith(files.input) ? '' : `${files.input}: `}${warning}\n`);
   }
   if (stderr.isTTY) stderr.write(summary(files.out, report));
-}
-
-async function stepsOf(command: RunCommand): Promise<readonly RecipeStep[]> {
-  if (command.kind === 'recipe') return parseRecipe(await readText(command.recipe), command.recipe).steps;
-  const { method, values } = command;
-  return [{ method: method.id, parameters: await readParameters(method, values) }];
 }
 
 function summary(out: string, { steps }: RunReport): string {

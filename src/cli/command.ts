@@ -19,7 +19,13 @@ export type Command =
   | { readonly kind: 'help'; readonly method: MethodDescriptor | undefined }
   | { readonly kind: 'version' }
   | { readonly kind: 'methods'; readonly json: boolean }
-  | { readonly kind: 'recipe'; readonly recipe: string; readonly files: RunFiles }
+  | {
+      readonly kind: 'recipe';
+      /** A recipe, a project whose recipe is meant, or `-` for a recipe from stdin. */
+      readonly recipe: string;
+      /** Its `input` is the recipe's file itself where that is a project whose own mesh is meant. */
+      readonly files: RunFiles;
+    }
   | {
       readonly kind: 'method';
       readonly method: MethodDescriptor;
@@ -62,7 +68,9 @@ function parseRun(words: readonly string[]): Command {
   const [recipe, ...rest] = flags.rest;
   if (recipe === undefined)
     throw new UsageError('name the recipe and the mesh: whittle run recipe.json in.obj --out out.obj');
-  return { kind: 'recipe', recipe, files: filesOf({ ...flags, rest }) };
+  // A project brings its mesh along.
+  const meshes = rest.length === 0 && /\.zip$/i.test(recipe) ? [recipe] : rest;
+  return { kind: 'recipe', recipe, files: filesOf({ ...flags, rest: meshes }) };
 }
 
 function parseMethod(method: MethodDescriptor, words: readonly string[]): Command {

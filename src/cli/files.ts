@@ -21,6 +21,13 @@ export async function readText(path: string): Promise<string> {
   return new TextDecoder().decode(await readBytes(path));
 }
 
+/** All that a stream brings, to its end. */
+export async function readStream(stream: AsyncIterable<Uint8Array>): Promise<Uint8Array<ArrayBuffer>> {
+  const pieces: Uint8Array[] = [];
+  for await (const piece of stream) pieces.push(piece);
+  return new Uint8Array(Buffer.concat(pieces));
+}
+
 /** Finds out before the work, not after it, that the folder of an output is not there. */
 export async function requireFolderOf(path: string): Promise<void> {
   const folder = dirname(path);

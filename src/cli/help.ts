@@ -11,6 +11,8 @@ export function generalHelp(): string {
 Usage
   whittle METHOD in.obj [--parameter value …] --out out.obj [--report report.json] [--quiet]
   whittle run recipe.json in.obj --out out.obj [--report report.json] [--quiet]
+  whittle run project.whittle.zip --out out.obj     (mesh, recipe and all in one file, as the page saves it)
+  whittle run - in.obj --out out.obj                (the recipe from stdin)
   whittle methods [--json]
   whittle METHOD --help
 

@@ -1,19 +1,16 @@
-import { dirname, isAbsolute, join } from 'node:path';
 import type { Engine } from '../engine/client.ts';
 import { gatherBeside } from '../engine/gather.ts';
 import { formatForFileName, isFormat } from '../io/index.ts';
 import { at } from '../mesh/failure.ts';
 import { type RecipeStep, runRecipe } from '../recipe/index.ts';
 import type { RunFiles } from './command.ts';
-import { readBeside, readBytes, requireFolderOf, writeWhole } from './files.ts';
+import { requireFolderOf, writeWhole } from './files.ts';
 import { UsageError } from './problems.ts';
 import type { ProgressLine } from './progress.ts';
 import { inputReport, type RunReport, stepReport } from './report.ts';
+import { meshOf, type Work } from './work.ts';
 
-export interface Job {
-  readonly steps: readonly RecipeStep[];
-  /** The recipe's file, if there is one: the styles and images that it names lie beside it. */
-  readonly recipe?: string | undefined;
+export interface Job extends Work {
   readonly files: RunFiles;
   readonly progress: ProgressLine;
   /** Aborts: before the first iteration the job rejects with the reason, later it keeps what it has. */
@@ -26,15 +23,15 @@ export interface Job {
  * @throws UsageError, FileError, WhittleError; their messages begin with the file
  */
 export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
-  const { steps, recipe, files, progress, signal } = job;
-  const { input, out } = files;
+  const { steps, readFile, files, progress, signal } = job;
+  const { out } = files;
   requireFormat(out);
   for (const path of [out, files.report]) if (path !== undefined) await requireFolderOf(path);
 
-  progress.show(`reading ${input}`);
+  progress.show(`reading ${files.input}`);
   const reading = stopwatch();
-  const source = await readBytes(input);
-  const beside = await gatherBeside(engine, source, input, { read: (path) => readBeside(input, path) });
+  const { name: input, bytes: source, read } = job.mesh ?? (await meshOf(files.input));
+  const beside = await gatherBeside(engine, source, input, { read });
   const { format, warnings, ...surface } = await engine.read(source, input, { signal, beside });
   const readMilliseconds = reading();
 
@@ -47,7 +44,7 @@ export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
     {
       signal,
       name: input,
-      surroundings: { readFile: (file) => readBytes(pathOf(file, recipe)) },
+      surroundings: { readFile },
       onStep: (step, index) => progress.follow(name(step, index)),
     },
   );
@@ -67,11 +64,6 @@ export async function runJob(engine: Engine, job: Job): Promise<RunReport> {
   const report = { input: inputReport(run.input), steps: reports };
   if (files.report !== undefined) await writeWhole(files.report, `${JSON.stringify(report, null, 2)}\n`);
   return report;
-}
-
-/** Where a file lies that a recipe names: beside the recipe. */
-function pathOf(name: string, recipe: string | undefined): string {
-  return recipe === undefined || isAbsolute(name) ? name : join(dirname(recipe), name);
 }
 
 /** A wrong ending should not be found out after a long run. */

@@ -33,6 +33,13 @@ export {
   isMeshFileName,
 } from './formats.ts';
 export type { EmbeddedImage } from './parsed-file.ts';
+export {
+  fitsInProject,
+  isProjectFile,
+  type ProjectFile,
+  packProject,
+  unpackProject,
+} from './project-file.ts';
 
 export interface ReadMesh {
   readonly mesh: Mesh;

@@ -1,6 +1,7 @@
 import { deflateSync, inflateSync } from 'fflate';
 import { ByteWriter } from './byte-writer.ts';
-import { decodeAscii, viewOf } from './bytes.ts';
+import { decodeAscii, encodeUtf8, viewOf } from './bytes.ts';
+import { crc32 } from './crc32.ts';
 import { quote, refusal } from './refuse.ts';
 
 /** One file of a zip archive, packed as it is. */
@@ -20,8 +21,10 @@ const fileMark = 0x04034b50;
 const endLength = 22;
 const recordLength = 46;
 const fileLength = 30;
-const stored = 0;
-const deflated = 8;
+/** In a record's flags: its name is UTF-8. */
+const utf8Flag = 0x800;
+export const stored = 0;
+export const deflated = 8;
 /** More than this does not come out of one file. */
 const mostBytes = 2 ** 31 - 1;
 /** Deflated data cannot unfold to more times its length. */
@@ -120,18 +123,35 @@ export function repackZip(
 
 /** A new archive. */
 export function makeZip(files: ReadonlyMap<string, Uint8Array>): Uint8Array<ArrayBuffer> {
-  const entries = [...files.keys()].map((name): ZipEntry => {
-    const record = new Uint8Array(recordLength + name.length);
-    const view = viewOf(record);
-    view.setUint32(0, recordMark, true);
-    view.setUint16(4, 20, true);
-    view.setUint16(6, 20, true);
-    view.setUint16(14, 0x21, true); // the first day that such dates know
-    view.setUint16(28, name.length, true);
-    for (let i = 0; i < name.length; i++) record[recordLength + i] = name.charCodeAt(i);
-    return { name, method: deflated, size: 0, packed: new Uint8Array(), record };
-  });
+  const nothing = new Uint8Array();
+  const entries = [...files.keys()].map((name) =>
+    newEntry(name, { method: deflated, size: 0, sum: 0, packed: nothing }),
+  );
   return repackZip(entries, files);
+}
+
+/** What a file of a new archive holds. */
+export interface ZipContent extends Pick<ZipEntry, 'method' | 'size' | 'packed'> {
+  /** The check sum of what is packed. */
+  readonly sum: number;
+}
+
+/** A file of a new archive, on the first day that such dates know. */
+export function newEntry(name: string, { method, size, sum, packed }: ZipContent): ZipEntry {
+  const text = encodeUtf8(name);
+  const record = new Uint8Array(recordLength + text.length);
+  const view = viewOf(record);
+  view.setUint32(0, recordMark, true);
+  view.setUint16(4, 20, true);
+  view.setUint16(6, 20, true);
+  if (text.length > name.length) view.setUint16(8, utf8Flag, true);
+  view.setUint16(10, method, true);
+  view.setUint16(14, 0x21, true);
+  view.setUint32(16, sum, true);
+  view.setUint32(24, size, true);
+  view.setUint16(28, text.length, true);
+  record.set(text, recordLength);
+  return { name, method, size, packed, record };
 }
 
 /** The directory's end stands at the end of the file, but for a remark behind it. */
@@ -151,12 +171,19 @@ function entryOf(bytes: Uint8Array, record: Uint8Array, nameLength: number, cutO
   const length = view.getUint32(20, true);
   if (begin + length > bytes.length) throw cutOff();
   return {
-    name: decodeAscii(record, recordLength, recordLength + nameLength),
+    name: nameOf(record, nameLength),
     method: view.getUint16(10, true),
     size: view.getUint32(24, true),
     packed: bytes.subarray(begin, begin + length),
     record,
   };
+}
+
+/** UTF-8 where the record says so. */
+function nameOf(record: Uint8Array, length: number): string {
+  const isUtf8 = (viewOf(record).getUint16(8, true) & utf8Flag) !== 0;
+  if (!isUtf8) return decodeAscii(record, recordLength, recordLength + length);
+  return new TextDecoder().decode(record.subarray(recordLength, recordLength + length));
 }
 
 /** What stands before a file's data: the beginning of its record, without remarks and places. */
@@ -183,16 +210,4 @@ function endRecord(count: number, begin: number, length: number): Uint8Array {
 
 function copy(writer: ByteWriter, bytes: Uint8Array): void {
   writer.copy(bytes, 0, bytes.length);
-}
-
-const crcTable = Uint32Array.from({ length: 256 }, (_, n) => {
-  let c = n;
-  for (let k = 0; k < 8; k++) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
-  return c;
-});
-
-function crc32(bytes: Uint8Array): number {
-  let crc = 0xffffffff;
-  for (let i = 0; i < bytes.length; i++) crc = crcTable[(crc ^ bytes[i]) & 255] ^ (crc >>> 8);
-  return (crc ^ 0xffffffff) >>> 0;
 }

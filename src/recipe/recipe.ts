@@ -72,7 +72,7 @@ function listed(name: string, entries: readonly object[]): string {
 }
 
 /** JSON has no typed arrays. */
-const plainArrays = (_: string, value: unknown): unknown =>
+export const plainArrays = (_: string, value: unknown): unknown =>
   value instanceof Float64Array ? [...value] : value;
 
 function parseStep(step: unknown, place: string, index: number): RecipeStep {

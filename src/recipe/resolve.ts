@@ -26,11 +26,15 @@ export interface TexturedMesh {
 }
 
 /** Something that a recipe names and that is at hand already: it was painted, dropped or read before. Immutable. */
-export type Asset =
+export type Asset = (
   | { readonly kind: 'gauss-map'; readonly map: GaussMap }
   | { readonly kind: 'mesh'; readonly mesh: Mesh }
   | { readonly kind: 'image'; readonly image: Image }
-  | { readonly kind: 'sphere-field'; readonly field: SphereField };
+  | { readonly kind: 'sphere-field'; readonly field: SphereField }
+) & {
+  /** The file that it was read from; what was painted has none. */
+  readonly file?: Uint8Array<ArrayBuffer>;
+};
 
 /** Where the names in a recipe lead. */
 export interface Surroundings {

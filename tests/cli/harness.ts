@@ -1,6 +1,7 @@
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { Readable } from 'node:stream';
 import { runCommandLine } from '../../src/cli/command-line.ts';
 import type { Engine } from '../../src/engine/client.ts';
 
@@ -28,7 +29,8 @@ export class Desk {
   }
 
   write(name: string, content: string | object): Promise<void> {
-    return writeFile(this.path(name), typeof content === 'string' ? content : JSON.stringify(content));
+    const isPlain = typeof content === 'string' || content instanceof Uint8Array;
+    return writeFile(this.path(name), isPlain ? content : JSON.stringify(content));
   }
 
   read(name: string): Promise<string> {
@@ -52,6 +54,7 @@ export class Desk {
       stderr += text;
     };
     const terminal = {
+      stdin: Readable.from([Buffer.from(options.stdin ?? '')]),
       stdout: { write: (text: string) => (stdout += text) },
       stderr: { isTTY: options.isTTY ?? false, columns: 200, write: collect },
       signal: options.signal ?? new AbortController().signal,
@@ -62,6 +65,7 @@ export class Desk {
 }
 
 export interface RunOptions {
+  readonly stdin?: string;
   readonly isTTY?: boolean;
   readonly signal?: AbortSignal;
   readonly engine?: () => Engine;

@@ -5,8 +5,7 @@ import { checkValue } from '../../methods/values/index.ts';
 import { parseJson } from '../../methods/values/json.ts';
 import type { Directions } from '../../methods/values/points.ts';
 import type { StyleParameter } from '../../methods/values/style.ts';
-import { readPng } from '../images/png.ts';
-import { mapOfPixels } from './captures.ts';
+import { mapOfCapture } from './exact-capture.ts';
 import { type Flow, type Mapping, resolveStyle, type StyleSource, styleNames } from './resolve.ts';
 
 /** What it takes to read a style that is a file. */
@@ -38,7 +37,7 @@ export async function readStyle(
 ): Promise<GaussMap> {
   if (isCapture(given) && parameter.mapping === undefined) {
     const bytes = await reading.readFile(given);
-    return at(given, () => mapOfPixels(readPng(bytes, given)));
+    return at(given, () => mapOfCapture(bytes, given));
   }
   const source = await sourceOf(given, parameter, reading);
   const place = typeof given === 'string' && typeof source !== 'string' ? given : `“${parameter.name}”`;
