@@ -12,7 +12,8 @@ import { followLayout } from './app/layout.ts';
 import { followOverlay } from './app/overlay-paint.ts';
 import { newPageStore } from './app/page-state.ts';
 import { readImage } from './app/read-image.ts';
-import { samples } from './app/samples.ts';
+import { begin } from './app/returning.ts';
+import { SavingActions } from './app/saving.ts';
 import { Selectable } from './app/selectable.ts';
 import { listenForShortcuts } from './app/shortcuts.ts';
 import { StyleActions } from './app/style-actions.ts';
@@ -46,7 +47,8 @@ const tools = new ToolBelt(
   interaction,
   interaction && makeTools({ store, interaction, handles, surface, soon }),
 );
-const page = new Page({ store, editor, styles, images, painter, handles, tools, presenter, viewer });
+const saving = new SavingActions({ store, editor, engine, styles, images });
+const page = new Page({ store, editor, styles, images, painter, handles, tools, saving, presenter, viewer });
 
 followTheme(store, viewer);
 followOverlay(store, viewer);
@@ -60,7 +62,7 @@ if (viewer)
   });
 listenForDrops(page);
 listenForShortcuts(page, () => element('whittle-help').dispatchEvent(new Event('open')));
-void page.openSample(samples[0]!);
+void begin(page);
 
 function openViewer(): Viewer | null {
   try {

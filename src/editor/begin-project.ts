@@ -4,7 +4,7 @@ import { checkGroups, type Recipe, type Resolver } from '../recipe/index.ts';
 import type { OpenedFile } from './open-file.ts';
 import { type Assets, activeStep, type Project } from './project.ts';
 import { startingStep, styleParameter } from './starting-step.ts';
-import { newStep } from './steps.ts';
+import { type Stack, stackOf } from './steps.ts';
 
 /** What a mesh opens with. */
 export interface Beginning {
@@ -14,8 +14,12 @@ export interface Beginning {
   readonly parameters?: ParameterValues;
   /** A whole stack with its groups, in place of one step of {@link method}. */
   readonly recipe?: Recipe;
+  /** The steps of {@link recipe} as they stood when it was saved, with those that were switched off. */
+  readonly stack?: Stack;
   /** What the steps name. */
   readonly assets?: Assets;
+  /** Where the file was fetched from. */
+  readonly address?: string;
 }
 
 /**
@@ -34,12 +38,13 @@ export async function beginProject(
   const method = findMethod(begin.method ?? kept?.method ?? '') ?? methods[0]!;
   const given = { ...kept?.parameters, ...begin.parameters };
   const recipe: Recipe = begin.recipe ?? { steps: [await startingStep(method, given, file, resolver)] };
-  const steps = recipe.steps.map(newStep);
-  const { source, mesh, report } = file;
+  const { steps, active } = begin.stack ?? stackOf(recipe);
+  const { mesh, report } = file;
+  const source = begin.address === undefined ? file.source : { ...file.source, address: begin.address };
   const { groups = [] } = recipe;
   checkGroups(groups, mesh.positions.length / 3);
   const assets: Assets = begin.assets ?? kept?.assets ?? new Map();
-  return { source, mesh, report, steps, active: steps.at(-1)!.id, assets, groups };
+  return { source, mesh, report, steps, active, assets, groups };
 }
 
 interface KeptStyle {

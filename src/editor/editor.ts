@@ -18,11 +18,13 @@ import { LiveSolver } from './live-solver.ts';
 import { openFile, type ReadFile } from './open-file.ts';
 import type { Presenter } from './presenter.ts';
 import {
+  type Assets,
+  activeInputs,
   activeStep,
   firstUnsettled,
-  inputsOf,
   type Project,
   type StepInputs,
+  sameActive,
   sameInputs,
   shownPositions,
 } from './project.ts';
@@ -38,6 +40,7 @@ import {
   removeStep,
   type StepChange,
   switchStep,
+  takeRecipe,
 } from './steps.ts';
 import { patiently, reportFailure, Tasks } from './task.ts';
 
@@ -53,6 +56,8 @@ export interface EditorParts {
 export class Editor {
   readonly store: EditorStore;
   readonly resolver: Resolver;
+  /** What has a name here: the project's own assets come first. */
+  readonly asset: NonNullable<Surroundings['asset']>;
   readonly #engine: Engine;
   readonly #tasks = new Tasks();
   readonly #presenter: Presenter;
@@ -64,9 +69,9 @@ export class Editor {
   #latestChoice = 0;
 
   constructor({ store, engine, presenter, surroundings = {} }: EditorParts) {
-    const asset = (name: string) => this.project?.assets.get(name) ?? surroundings.asset?.(name);
+    this.asset = (name) => this.project?.assets.get(name) ?? surroundings.asset?.(name);
     this.store = store;
-    this.resolver = new Resolver(engine, { ...surroundings, asset });
+    this.resolver = new Resolver(engine, { ...surroundings, asset: this.asset });
     this.#engine = engine;
     this.#presenter = presenter;
     const { resolver } = this;
@@ -195,6 +200,11 @@ export class Editor {
     await this.#afterReading({ method: id, given }, (starting) =>
       this.#change((project) => addStep(project, newStep(starting)), `Add ${title}`),
     );
+  }
+
+  /** Puts the steps of a recipe in the place of those that there are; one entry for undo. @param assets what they name */
+  takeRecipe(recipe: Recipe, assets: Assets, label: string): void {
+    this.#change((project) => takeRecipe(project, recipe, assets), label);
   }
 
   removeStep(id: number): void {
@@ -376,20 +386,6 @@ export class Editor {
     this.#presenter.present(project);
     this.#solver.tidy();
   }
-}
-
-/** The inputs of the active step, as if nothing stood before it. */
-function activeInputs(project: Project): StepInputs {
-  return inputsOf(activeStep(project), project.mesh.positions, project.assets);
-}
-
-function sameActive(a: Project, b: Project): boolean {
-  return (
-    a.mesh === b.mesh &&
-    a.groups === b.groups &&
-    activeStep(a).isOn === activeStep(b).isOn &&
-    sameInputs(activeInputs(a), activeInputs(b))
-  );
 }
 
 /** Tells a person of warnings, if there are any. */

@@ -16,6 +16,8 @@ export interface Source {
   readonly format: Format;
   /** The normal map that it has inside. */
   readonly normalMap?: ReadResult['normalMap'];
+  /** Where it was fetched from, as a link may lead there; a file of the person's own has none. */
+  readonly address?: string;
 }
 
 /** The things that a project's steps name, by these names. */
@@ -102,6 +104,21 @@ export function sameInputs(a: StepInputs, b: StepInputs): boolean {
   const sameAssets = a.assets.every((asset, k) => asset === b.assets[k]);
   return (
     a.from === b.from && a.method === b.method && sameAssets && sameParameters(a.parameters, b.parameters)
+  );
+}
+
+/** The inputs of the active step, as if nothing stood before it. */
+export function activeInputs(project: Project): StepInputs {
+  return inputsOf(activeStep(project), project.mesh.positions, project.assets);
+}
+
+/** Whether two projects have the same mesh and edit the same thing. */
+export function sameActive(a: Project, b: Project): boolean {
+  return (
+    a.mesh === b.mesh &&
+    a.groups === b.groups &&
+    activeStep(a).isOn === activeStep(b).isOn &&
+    sameInputs(activeInputs(a), activeInputs(b))
   );
 }
 

@@ -1,5 +1,6 @@
+import { findMethod } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
-import type { Group, RecipeStep } from '../recipe/index.ts';
+import { checkGroups, type Group, type Recipe, type RecipeStep } from '../recipe/index.ts';
 import { type Assets, activeStep, type Project, type Step } from './project.ts';
 
 /** Changes of the stack, each a new project. What a change makes stale shows by itself: results know what they are of. */
@@ -9,6 +10,36 @@ let lastId = 0;
 /** A step that was not there before. */
 export function newStep({ method, parameters }: RecipeStep): Step {
   return { id: ++lastId, method, parameters, isOn: true, remembered: {}, result: null };
+}
+
+/** Steps, and which of them is edited. */
+export type Stack = Pick<Project, 'steps' | 'active'>;
+
+/** The steps of a recipe; the last is edited. What it leaves out has its default, so that controls have something to show. */
+export function stackOf({ steps: recipe }: Recipe): Stack {
+  const steps = recipe.map((step) => newStep(withDefaults(step)));
+  return { steps, active: steps.at(-1)!.id };
+}
+
+export function withDefaults({ method, parameters }: RecipeStep): RecipeStep {
+  const defaults = (findMethod(method)?.parameters ?? []).flatMap((descriptor) =>
+    'default' in descriptor && typeof descriptor.default !== 'object'
+      ? [[descriptor.name, descriptor.default] as const]
+      : [],
+  );
+  return { method, parameters: { ...Object.fromEntries(defaults), ...parameters } };
+}
+
+/**
+ * Puts the steps of a recipe in the place of all that there are, and its groups, if it has any.
+ *
+ * @param assets what the steps name
+ * @throws WhittleError where the groups are those of another mesh
+ */
+export function takeRecipe(project: Project, recipe: Recipe, assets: Assets): Project {
+  const { groups = project.groups } = recipe;
+  checkGroups(groups, project.mesh.positions.length / 3);
+  return { ...project, ...stackOf(recipe), groups, assets: new Map([...project.assets, ...assets]) };
 }
 
 /** What is to become of the active step. */

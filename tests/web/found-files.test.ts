@@ -1,6 +1,6 @@
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { beside, type FoundFile, filesOfDrop, unpackArchives } from '../../web/app/found-files.ts';
+import { type FoundFile, filesOfDrop, readBeside, unpackArchives } from '../../web/app/found-files.ts';
 
 const file = (path: string, content: string | Uint8Array<ArrayBuffer> = path): FoundFile => ({
   ...{ name: path.slice(path.lastIndexOf('/') + 1), path },
@@ -42,7 +42,7 @@ describe('files beside a mesh', () => {
       (path) => file(path),
     ),
   ];
-  const read = beside(files[0]!, files);
+  const read = readBeside(files[0]!, files);
 
   it.each([
     ['scene.bin', 'Pack/scene/scene.bin'],

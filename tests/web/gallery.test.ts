@@ -8,7 +8,7 @@ import { measure } from '../../src/measures/index.ts';
 import { unit } from '../../src/mesh/vectors.ts';
 import { startingRegularizer, startingStrength } from '../../src/methods/starting-lambda.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
-import { commandLine } from '../../web/app/export.ts';
+import { command } from '../../web/app/export.ts';
 import { StyleActions } from '../../web/app/style-actions.ts';
 import { stepInGrid } from '../../web/panels/grid-steps.ts';
 import { tetrahedron } from '../fixtures/fake-engine.ts';
@@ -88,7 +88,7 @@ describe('choosing a style', () => {
     await styles.chooseMethod('analogy');
     await quiet(store);
     expect(look(editor.project).parameters.style).toBe('cylinder');
-    expect(commandLine(editor.project!)).toContain('--style cylinder --lambda 4');
+    expect(command(editor.project!).text).toContain('--style cylinder --lambda 4');
   });
 });
 
@@ -106,7 +106,7 @@ describe('choosing directions', () => {
     set({ lambda: 0.5 }, 'Pace');
     await styles.choose(entry('octahedron'));
     expect(look(editor.project)).toMatchObject({ method: 'polycube', parameters: { lambda: 0.5 } });
-    expect(commandLine(editor.project!)).toContain('polycube a.obj --directions octahedron --lambda 0.5');
+    expect(command(editor.project!).text).toContain('polycube a.obj --directions octahedron --lambda 0.5');
     await styles.chooseMethod('analogy');
     expect(styles.chosenId).toBe('captures-terraced');
     await styles.chooseMethod('polycube');

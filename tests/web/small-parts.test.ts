@@ -1,12 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import type { Project } from '../../src/editor/project.ts';
+import { activeStep, type Project } from '../../src/editor/project.ts';
+import { recipeOf } from '../../src/editor/saved-recipe.ts';
 import { newStep } from '../../src/editor/steps.ts';
 import { remarks } from '../../src/mesh/report-sentences.ts';
 import { methods } from '../../src/methods/registry.ts';
 import { startingLambda } from '../../src/methods/starting-lambda.ts';
 import type { NumberParameter } from '../../src/methods/values/number.ts';
+import { parseRecipe } from '../../src/recipe/index.ts';
 import { chooseMesh } from '../../web/app/choose-mesh.ts';
-import { commandLine, exportName, ownFormat } from '../../web/app/export.ts';
+import { command, exportName, ownFormat } from '../../web/app/export.ts';
 import { offeredMethods } from '../../web/app/offered-methods.ts';
 import { fromTravel, toTravel, travel } from '../../web/panels/slider-scale.ts';
 import { curve } from '../../web/panels/sparkline.ts';
@@ -58,15 +60,28 @@ describe('names and commands', () => {
   });
 
   it('writes a command that a shell reads', () => {
-    expect(commandLine(project)).toBe(
+    expect(command(project).text).toBe(
       "npx whittle cubic 'Ann'\\''s rabbit.glb' --lambda 0.35 --max-iterations 50 --out 'Ann'\\''s rabbit-cubic.glb'",
     );
   });
 
-  it('sends a stack of several steps by its recipe', () => {
-    expect(commandLine(stack)).toBe(
-      "npx whittle run 'Ann'\\''s rabbit.whittle.json' 'Ann'\\''s rabbit.glb' --out 'Ann'\\''s rabbit-whittled.glb'",
+  it('brings the recipe of several steps along', () => {
+    const { text, needsProject } = command(stack);
+    const [first, ...rest] = text.split('\n');
+    expect(first).toBe(
+      "npx whittle run - 'Ann'\\''s rabbit.glb' --out 'Ann'\\''s rabbit-whittled.glb' <<'RECIPE'",
     );
+    expect(rest.splice(-2)).toEqual(['RECIPE', '']);
+    expect(parseRecipe(rest.join('\n'), '')).toEqual(recipeOf(stack));
+    expect(needsProject).toBe(false);
+  });
+
+  it('goes by the project where a file is named', () => {
+    const named = { ...activeStep(project), method: 'analogy', parameters: { style: 'oloid.obj' } };
+    expect(command({ ...project, steps: [named] })).toEqual({
+      text: "npx whittle run 'Ann'\\''s rabbit.whittle.zip' --out 'Ann'\\''s rabbit-analogy.glb'",
+      needsProject: true,
+    });
   });
 });
 

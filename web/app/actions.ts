@@ -4,21 +4,21 @@ import type { Editor } from '../../src/editor/editor.ts';
 import type { Presenter } from '../../src/editor/presenter.ts';
 import { activeStep } from '../../src/editor/project.ts';
 import { imageParameter } from '../../src/editor/starting-step.ts';
-import { type FormatInfo, fileNameEndings } from '../../src/io/index.ts';
+import { type FormatInfo, fileNameEndings, isProjectFile } from '../../src/io/index.ts';
 import { findMethod } from '../../src/methods/registry.ts';
-import { formatRecipe } from '../../src/recipe/index.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
 import type { NormalPainter } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
-import { commandLine, exportName, ownFormat, recipeName } from './export.ts';
-import { beside, type FoundFile, found, unpackArchives } from './found-files.ts';
+import { exportName, ownFormat } from './export.ts';
+import { type FoundFile, found, readBeside, unpackArchives } from './found-files.ts';
 import type { HandleActions } from './handle-actions.ts';
 import type { ImageActions } from './image-actions.ts';
 import { obstacle } from './offered-methods.ts';
 import type { Look, PageStore } from './page-state.ts';
 import { imageEndings, imageNames } from './read-image.ts';
-import { fetchSample, type Sample, samples } from './samples.ts';
-import { copyText, saveFile } from './save.ts';
+import { fetchSample, type Sample, sampleAddress, samples } from './samples.ts';
+import { saveFile } from './save.ts';
+import type { FoundRecipe, SavingActions } from './saving.ts';
 import type { StyleActions } from './style-actions.ts';
 import type { ToolBelt } from './tool-belt.ts';
 import type { ViewTurn } from './view-directions.ts';
@@ -31,6 +31,7 @@ export interface PageParts {
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
   readonly tools: ToolBelt;
+  readonly saving: SavingActions;
   readonly presenter: Presenter;
   /** Null where the browser draws no 3D. */
   readonly viewer: Viewer | null;
@@ -45,10 +46,12 @@ export class Page {
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
   readonly tools: ToolBelt;
+  readonly saving: SavingActions;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
 
-  constructor({ store, editor, styles, images, painter, handles, tools, presenter, viewer }: PageParts) {
+  constructor(parts: PageParts) {
+    const { store, editor, styles, images, painter, handles, tools, saving, presenter, viewer } = parts;
     this.store = store;
     this.editor = editor;
     this.styles = styles;
@@ -56,12 +59,16 @@ export class Page {
     this.painter = painter;
     this.handles = handles;
     this.tools = tools;
+    this.saving = saving;
     this.#presenter = presenter;
     this.#viewer = viewer;
   }
 
   async openSample(sample: Sample, begin: Beginning = {}): Promise<void> {
-    await this.#attempt(async () => this.editor.open(await fetchSample(sample), sample.file, begin));
+    await this.#attempt(async () => {
+      const address = sampleAddress(sample);
+      await this.editor.open(await fetchSample(sample), sample.file, { address, ...begin });
+    });
   }
 
   /** Another method for the active step; where the mesh is not made for it, says why and what would be. */
@@ -80,7 +87,7 @@ export class Page {
     else void this.styles.chooseMethod(id);
   }
 
-  /** Opens the mesh among some files, with what it refers to; says what it left out. An image alone goes on the mesh, or is a normal capture. */
+  /** Opens the project, the recipe or the mesh among some files, with what it refers to; says what it left out. An image alone goes on the mesh, or is a normal capture. */
   async openFiles(files: readonly FoundFile[]): Promise<void> {
     const { project } = this.store.state;
     const takesImages = project && imageParameter(findMethod(activeStep(project).method)) !== undefined;
@@ -88,14 +95,35 @@ export class Page {
       return this.images.add(files);
     if (files.length === 1 && /\.png$/i.test(files[0]!.name)) return this.addStyles(files);
     await this.#attempt(async () => {
+      const project = await projectAmong(files);
+      if (project) return this.saving.openProject(project.bytes, project.name);
       const all = await unpackArchives(files);
-      const { mesh, note } = chooseMesh(all);
-      if (!mesh && note) this.store.set({ notice: { tone: 'error', text: note } });
-      if (!mesh) return;
-      const bytes = new Uint8Array(await mesh.arrayBuffer());
-      await this.editor.open(bytes, mesh.name, {}, beside(mesh, all));
-      if (note && !this.store.state.notice) this.store.set({ notice: { tone: 'note', text: note } });
+      const recipe = await this.saving.findRecipe(all);
+      if (recipe && recipe.missing.length > 0) return this.#askFor(recipe, files);
+      if (recipe && all.every((file) => recipe.taken.includes(file))) return this.saving.takeRecipe(recipe);
+      await this.#openMesh(
+        all.filter((file) => !recipe?.taken.includes(file)),
+        recipe,
+      );
     });
+  }
+
+  async #openMesh(files: readonly FoundFile[], found?: FoundRecipe): Promise<void> {
+    const { mesh, note } = chooseMesh(files);
+    if (!mesh && note) this.store.set({ notice: { tone: 'error', text: note } });
+    if (!mesh) return;
+    const bytes = new Uint8Array(await mesh.arrayBuffer());
+    if (found) this.saving.adopt(found.assets);
+    const begin = found ? { recipe: found.recipe, assets: found.assets } : {};
+    await this.editor.open(bytes, mesh.name, begin, readBeside(mesh, files));
+    if (note && !this.store.state.notice) this.store.set({ notice: { tone: 'note', text: note } });
+  }
+
+  /** A recipe waits for the files that it names. */
+  #askFor({ name, missing }: FoundRecipe, files: readonly FoundFile[]): void {
+    const text = `${name} names ${missing.join(', ')}. Drop ${missing.length === 1 ? 'that file' : 'those files'} together with it, or choose ${missing.length === 1 ? 'it' : 'them'}.`;
+    const run = () => pickFiles('', (more) => void this.openFiles([...files, ...more]));
+    this.store.set({ notice: { tone: 'note', text, action: { label: 'Choose', run } } });
   }
 
   pickFile(): void {
@@ -147,24 +175,6 @@ export class Page {
     );
   }
 
-  /** Saves the stack for the command line and for other meshes. */
-  saveRecipe(): void {
-    const { project } = this.store.state;
-    const recipe = this.editor.recipe();
-    if (!project || !recipe) return;
-    if (recipe.steps.length > 0) saveFile(new Blob([formatRecipe(recipe)]), recipeName(project));
-    else
-      this.store.set({ notice: { tone: 'note', text: 'Every step is switched off; switch one on first.' } });
-  }
-
-  async copyCommand(): Promise<void> {
-    const { project } = this.store.state;
-    if (!project) return;
-    const line = commandLine(project);
-    const copied = await copyText(line);
-    this.store.set({ notice: { tone: 'note', text: copied ? `Copied: ${line}` : line } });
-  }
-
   look(change: Partial<Look>): void {
     const look = { ...this.store.state.look, ...change };
     this.store.set({ look });
@@ -191,8 +201,8 @@ export class Page {
 }
 
 const meshEndings = fileNameEndings.join();
-/** What goes with a mesh, or holds it. */
-const besideEndings = '.bin,.mtl,.png,.jpg,.jpeg,.zip';
+/** What goes with a mesh, or holds it, or says what to do with it. */
+const besideEndings = '.bin,.mtl,.png,.jpg,.jpeg,.json,.zip';
 
 function pickFiles(endings: string, take: (files: readonly FoundFile[]) => void): void {
   const input = document.createElement('input');
@@ -201,4 +211,13 @@ function pickFiles(endings: string, take: (files: readonly FoundFile[]) => void)
   input.accept = endings;
   input.addEventListener('change', () => take([...(input.files ?? [])].map((file) => found(file))));
   input.click();
+}
+
+/** The project file among some files, if it is one. */
+async function projectAmong(files: readonly FoundFile[]) {
+  for (const { name, arrayBuffer } of files.filter((file) => /\.zip$/i.test(file.name))) {
+    const bytes = new Uint8Array(await arrayBuffer());
+    if (isProjectFile(bytes)) return { name, bytes };
+  }
+  return undefined;
 }

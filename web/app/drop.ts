@@ -38,7 +38,9 @@ export function listenForDrops(page: Page, target: Window = window): void {
         image: () => page.images.add(files),
         mesh: () => page.openFiles(files),
       };
-      return take[place]();
+      // Saved work is itself wherever it falls.
+      const isWork = files.some(({ name }) => /\.whittle\.(json|zip)$/i.test(name));
+      return take[isWork ? 'mesh' : place]();
     });
   });
 }

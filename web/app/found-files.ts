@@ -34,12 +34,24 @@ export async function unpackArchives(files: readonly FoundFile[]): Promise<reado
 export function beside(
   file: FoundFile,
   files: readonly FoundFile[],
-): (path: string) => Promise<Uint8Array<ArrayBuffer> | undefined> {
-  return async (path) => {
+): (path: string) => FoundFile | undefined {
+  return (path) => {
     const whole = joined(folderOf(file.path), path).toLowerCase();
-    const match =
+    return (
       files.find((other) => other.path.toLowerCase() === whole) ??
-      files.find((other) => other.name.toLowerCase() === path.toLowerCase());
+      files.find((other) => other.name.toLowerCase() === path.toLowerCase())
+    );
+  };
+}
+
+/** What {@link beside} finds, read. */
+export function readBeside(
+  file: FoundFile,
+  files: readonly FoundFile[],
+): (path: string) => Promise<Uint8Array<ArrayBuffer> | undefined> {
+  const find = beside(file, files);
+  return async (path) => {
+    const match = find(path);
     return match && new Uint8Array(await match.arrayBuffer());
   };
 }

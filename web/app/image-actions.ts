@@ -1,4 +1,5 @@
 import type { Editor } from '../../src/editor/editor.ts';
+import { freeName } from '../../src/editor/free-name.ts';
 import { activeStep, type Project, type Source } from '../../src/editor/project.ts';
 import { imageParameter, startingStep } from '../../src/editor/starting-step.ts';
 import { layTexture } from '../../src/inputs/images/lay.ts';
@@ -6,8 +7,7 @@ import { toFailure } from '../../src/mesh/failure.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
 import type { FoundFile } from './found-files.ts';
-import { freeName } from './free-name.ts';
-import { embeddedImage, type ImageEntry, ownImage } from './image-gallery.ts';
+import { embeddedImage, type ImageAsset, type ImageEntry, ownImage } from './image-gallery.ts';
 import type { PageStore } from './page-state.ts';
 import { readImage } from './read-image.ts';
 
@@ -61,12 +61,11 @@ export class ImageActions {
     const { project } = this.#store.state;
     const method = methods.find((one) => imageParameter(one) !== undefined);
     if (!project || !method) return;
-    const { source, image, name } = entry;
+    const { source, asset, name } = entry;
     const given: ParameterValues = source === undefined ? {} : { [imageParameter(method)!]: source };
     const starting = await startingStep(method, given, project, this.#editor.resolver);
     if (this.#store.state.project?.mesh !== project.mesh) return;
-    const assets =
-      image && source !== undefined ? new Map([[source, { kind: 'image', image } as const]]) : undefined;
+    const assets = asset && source !== undefined ? new Map([[source, asset]]) : undefined;
     const parameters = { ...starting.parameters, ...this.#kept(project, method.id), ...given };
     if (source === undefined) delete (parameters as Record<string, unknown>)[imageParameter(method)!];
     const repeat = starting.parameters.repeat!;
@@ -80,11 +79,10 @@ export class ImageActions {
   async add(files: readonly FoundFile[]): Promise<void> {
     for (const file of files) {
       try {
-        const image = await readImage(new Uint8Array(await file.arrayBuffer()), file.name);
-        const entry = ownImage(
-          freeName(file.name, (name) => this.#isTaken(name)),
-          image,
-        );
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        const image = await readImage(bytes, file.name);
+        const source = freeName(file.name, (name) => this.#isTaken(name));
+        const entry = ownImage(source, { kind: 'image', image, file: bytes });
         entry.texture(); // refuses what cannot be used
         this.#list(entry);
         await this.choose(entry);
@@ -92,6 +90,11 @@ export class ImageActions {
         this.#store.set({ notice: { tone: 'error', text: toFailure(thrown).message } });
       }
     }
+  }
+
+  /** Lists an image that came with a recipe or a project. */
+  adopt(name: string, asset: ImageAsset): void {
+    if (!this.#isTaken(name)) this.#list(ownImage(name, asset));
   }
 
   /** What the person set stays, but for how this very image is read and how often it comes. */

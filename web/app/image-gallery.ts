@@ -3,6 +3,7 @@ import type { Image } from '../../src/inputs/images/image.ts';
 import { findPattern, patternIds } from '../../src/inputs/images/patterns.ts';
 import { rememberedTexture } from '../../src/inputs/images/read.ts';
 import type { Texture, TextureOptions } from '../../src/inputs/images/texture.ts';
+import type { Asset } from '../../src/recipe/index.ts';
 
 /** An image that can be laid on a mesh. Immutable. */
 export interface ImageEntry {
@@ -13,6 +14,8 @@ export interface ImageEntry {
   readonly source?: string;
   /** What the person brought; it can be read in more than one way. */
   readonly image?: Image;
+  /** That image as the resolver takes it; absent for the normal map inside the mesh's own file. */
+  readonly asset?: ImageAsset;
   /** The file that has it inside; other meshes do not get it. */
   readonly file?: Source;
   /** Makes the texture, the same object for the same options. @throws WhittleError as `textureOf` */
@@ -29,9 +32,12 @@ export const builtInImages: readonly ImageEntry[] = patternIds.map((id) => ({
 
 let brought = 0;
 
+/** An image that was read from a file. */
+export type ImageAsset = Extract<Asset, { kind: 'image' }>;
+
 /** An image of the person's own. @param source its name in recipes, unlike all others */
-export function ownImage(source: string, image: Image): ImageEntry {
-  return { ...imageOf(source, image), source };
+export function ownImage(source: string, asset: ImageAsset): ImageEntry {
+  return { ...imageOf(source, asset.image), source, asset };
 }
 
 /** The normal map inside a mesh file. */

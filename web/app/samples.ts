@@ -15,8 +15,14 @@ export const samples: readonly Sample[] = [
   { file: 'knot.ply', title: 'Knot', about: 'PLY with vertex colours' },
 ];
 
-export async function fetchSample({ file }: Sample): Promise<Uint8Array<ArrayBuffer>> {
-  const response = await fetch(`${import.meta.env.BASE_URL}samples/${file}`);
-  if (!response.ok) throw new Error(`The sample ${file} could not be fetched; open a file of your own.`);
+/** Where a sample lies, from the page's folder: links lead there. */
+export function sampleAddress({ file }: Sample): string {
+  return `samples/${file}`;
+}
+
+export async function fetchSample(sample: Sample): Promise<Uint8Array<ArrayBuffer>> {
+  const response = await fetch(`${import.meta.env.BASE_URL}${sampleAddress(sample)}`);
+  if (!response.ok)
+    throw new Error(`The sample ${sample.file} could not be fetched; open a file of your own.`);
   return new Uint8Array(await response.arrayBuffer());
 }

@@ -1,21 +1,22 @@
 import type { Editor } from '../../src/editor/editor.ts';
+import { freeName } from '../../src/editor/free-name.ts';
 import { activeStep } from '../../src/editor/project.ts';
 import { startingStep, styleParameter } from '../../src/editor/starting-step.ts';
 import type { Engine } from '../../src/engine/client.ts';
-import { isPng, readPng } from '../../src/inputs/images/png.ts';
-import { mapOfPixels } from '../../src/inputs/styles/captures.ts';
+import { isPng } from '../../src/inputs/images/png.ts';
 import { normalsOfConvex } from '../../src/inputs/styles/convex-normals.ts';
+import { mapOfCapture } from '../../src/inputs/styles/exact-capture.ts';
 import { toFailure } from '../../src/mesh/failure.ts';
+import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import type { ParameterValues } from '../../src/methods/values/index.ts';
 import type { FlowListener } from '../../src/recipe/index.ts';
 import { Film } from './film.ts';
-import { freeName } from './free-name.ts';
 import { canTake } from './offered-methods.ts';
 import type { Gallery, PageStore } from './page-state.ts';
-import { firstStyles, ownStyle, type StyleEntry } from './style-gallery.ts';
+import { firstStyles, isPainted, ownStyle, type StyleAsset, type StyleEntry } from './style-gallery.ts';
 
 export interface StyleActionsParts {
   readonly store: PageStore;
@@ -111,6 +112,13 @@ export class StyleActions {
     }
   }
 
+  /** Lists a style that came with a recipe or a project; the ball that is painted on is none that one chooses. */
+  adopt(name: string, asset: StyleAsset): void {
+    if (this.#entry(name) || isPainted(name)) return;
+    const group = asset.kind === 'gauss-map' ? 'captures' : isConvex(asset.mesh) ? 'shapes' : 'meshes';
+    this.#list(ownStyle(group, name, asset));
+  }
+
   /** The person's word: read what is not convex through the sphere. */
   async accept(): Promise<void> {
     const { offer } = this.#store.state.gallery;
@@ -136,21 +144,17 @@ export class StyleActions {
   /** Null where the mesh is to be offered another way. */
   async #shapeOf(bytes: Uint8Array<ArrayBuffer>, file: string): Promise<StyleEntry | null> {
     const { mesh } = await this.#engine.read(bytes, file);
-    const asset = { kind: 'mesh', mesh } as const;
-    try {
-      normalsOfConvex(mesh);
-    } catch {
-      // The sphere says what is wrong with it, if anything is.
-      const entry = ownStyle('meshes', this.#freeName(file), asset);
-      this.#set({ offer: { entry, why: `${file} is not a convex shape with flat faces.` } });
-      return null;
-    }
-    return ownStyle('shapes', this.#freeName(file), asset);
+    const asset = { kind: 'mesh', mesh, file: bytes } as const;
+    if (isConvex(mesh)) return ownStyle('shapes', this.#freeName(file), asset);
+    // The sphere says what is wrong with it, if anything is.
+    const entry = ownStyle('meshes', this.#freeName(file), asset);
+    this.#set({ offer: { entry, why: `${file} is not a convex shape with flat faces.` } });
+    return null;
   }
 
-  #captureOf(bytes: Uint8Array, file: string): StyleEntry {
-    const map = mapOfPixels(readPng(bytes, file));
-    return ownStyle('captures', this.#freeName(file), { kind: 'gauss-map', map });
+  #captureOf(bytes: Uint8Array<ArrayBuffer>, file: string): StyleEntry {
+    const map = mapOfCapture(bytes, file);
+    return ownStyle('captures', this.#freeName(file), { kind: 'gauss-map', map, file: bytes });
   }
 
   #freeName(file: string): string {
@@ -230,6 +234,16 @@ function firstStyle(id: string): ParameterValues {
   const parameter = styleParameter(findMethod(id));
   const first = parameter && firstStyles[parameter.name];
   return parameter && first ? { [parameter.name]: first } : {};
+}
+
+/** Whether a shape's faces alone tell its style. */
+function isConvex(mesh: Mesh): boolean {
+  try {
+    normalsOfConvex(mesh);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 function pause(milliseconds: number): Promise<void> {

@@ -38,14 +38,20 @@ export const builtIn: readonly StyleEntry[] = [
 /** The style that the page opens a method with, by its parameter: the one that looks best at once. */
 export const firstStyles: Readonly<Record<string, string>> = { style: 'octahedron', directions: 'cube' };
 
+/** What recipes call a painted ball, and the name that it is saved under; a number is put to it if several steps have one. */
+export const paintedName = 'painted.png';
+
+export function isPainted(name: string): boolean {
+  return /^painted(-\d+)?\.png$/.test(name);
+}
+
+/** What a style can be made of. */
+export type StyleAsset = Extract<Asset, { kind: 'mesh' | 'gauss-map' }>;
+
 let brought = 0;
 
 /** A style of the person's own. @param source its name in recipes, unlike all others */
-export function ownStyle(
-  group: StyleGroup,
-  source: string,
-  asset: Extract<Asset, { kind: 'mesh' | 'gauss-map' }>,
-): StyleEntry {
+export function ownStyle(group: StyleGroup, source: string, asset: StyleAsset): StyleEntry {
   const name = source.replace(/\.[^.]*$/, '') || source;
   const subject = () => (asset.kind === 'mesh' ? { mesh: asset.mesh } : { map: asset.map });
   return { id: `own-${++brought}`, name, source, group, asset, subject };

@@ -50,11 +50,11 @@ export class WhittlePainter extends PageElement {
         <input type="range" class="plain" min="6" max="80" step="1" .value=${String(size)} aria-valuetext="${size} degrees" @input=${(event: Event) => painter.setBrush({ size: sliderValue(event) })} /></label>
       <label class="field"><span>Hardness</span>
         <input type="range" class="plain" min="0" max="1" step="0.05" .value=${String(hardness)} aria-valuetext="${Math.round(100 * hardness)} percent" @input=${(event: Event) => painter.setBrush({ hardness: sliderValue(event) })} /></label>
-      <label class="field" title="Paint the mirror image on the far side too; a saved picture shows the front only"><span>Mirror to the back</span>
+      <label class="field" title="Paint the mirror image on the far side too"><span>Mirror to the back</span>
         <input type="checkbox" .checked=${mirror} @change=${(event: Event) => painter.setBrush({ mirror: (event.target as HTMLInputElement).checked })} /></label>
       <div class="painter-tools">
         <button type="button" class="button small" data-act="clear-ball" title="An empty ball: every normal stays" @click=${() => painter.clear()}>${icon('reset')}Clear</button>
-        <button type="button" class="button small" data-act="save-capture" title="Save the front of the ball as a PNG" @click=${() => this.page.saveCapture()}>${icon('export')}Save</button>
+        <button type="button" class="button small" data-act="save-capture" title="Save the ball as a PNG" @click=${() => this.page.saveCapture()}>${icon('export')}Save</button>
         <button type="button" class="button small" data-act="load-capture" title="Load a PNG of a ball that holds normals" @click=${() => this.page.pickStyle('.png')}>${icon('open')}Load</button>
       </div>
     `;

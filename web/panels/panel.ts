@@ -120,22 +120,19 @@ export class WhittlePanel extends PageElement {
       about: format.ending,
       run: () => void this.page.export(format),
     }));
-    const recipe = {
-      label: 'Recipe',
-      about: 'the steps, for other meshes',
-      run: () => this.page.saveRecipe(),
-    };
-    const command = {
-      label: 'Copy as a command',
-      about: 'npx whittle …',
-      run: () => void this.page.copyCommand(),
-    };
+    const { saving } = this.page;
+    const work = [
+      { label: 'Project', about: 'mesh and steps in one file', run: () => void saving.saveProject() },
+      { label: 'Recipe', about: 'the steps, for other meshes', run: () => saving.saveRecipe() },
+      { label: 'Copy a link', about: 'to this shape', run: () => void saving.copyLink() },
+      { label: 'Copy as a command', about: 'npx whittle …', run: () => void saving.copyCommand() },
+    ];
     return html`
       <div class="home">
         <button type="button" class="button primary" data-act="export" title="Export ${exportName(project, own.ending)} (E)" @click=${() => void this.page.export()}>
           ${icon('export')}<span>Export<span class="wide"> ${own.ending.slice(1).toUpperCase()}</span></span>
         </button>
-        <whittle-menu label="Other ways to export" .face=${icon('down')} .items=${[...others, recipe, command]}></whittle-menu>
+        <whittle-menu label="Other ways to export" .face=${icon('down')} .items=${[...others, ...work]}></whittle-menu>
       </div>
     `;
   }

@@ -1,17 +1,18 @@
 import type { Editor } from '../../src/editor/editor.ts';
+import { freeName } from '../../src/editor/free-name.ts';
 import { activeStep } from '../../src/editor/project.ts';
 import { styleParameter } from '../../src/editor/starting-step.ts';
 import type { StepChange } from '../../src/editor/steps.ts';
-import { writePng } from '../../src/inputs/images/png.ts';
 import { startingValues } from '../../src/inputs/starting-values.ts';
-import { blankMap, onSphere, pixelsOfMap, type SphereMap } from '../../src/inputs/styles/captures.ts';
+import { blankMap, onSphere, type SphereMap } from '../../src/inputs/styles/captures.ts';
+import { captureFile } from '../../src/inputs/styles/exact-capture.ts';
 import { add, row, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
 import { BrushSurface, type BrushTip, Coverage, Stroke } from '../../src/viewer/brush-surface.ts';
-import { freeName } from '../app/free-name.ts';
 import { canTake } from '../app/offered-methods.ts';
 import type { PageStore } from '../app/page-state.ts';
+import { paintedName } from '../app/style-gallery.ts';
 
 /** What the brush is like. */
 export interface Brush {
@@ -23,9 +24,6 @@ export interface Brush {
   /** The far side gets the mirror image, so that a picture of the front holds all of it. */
   readonly mirror: boolean;
 }
-
-/** Pixels along the side of a saved capture. */
-const captureSize = 256;
 
 /** Paints normals on a ball; the mesh follows every stroke, and each stroke is one entry for undo. */
 export class NormalPainter {
@@ -114,9 +112,9 @@ export class NormalPainter {
     this.#editor.restyle(this.#change(blankMap()), 'Clear the ball');
   }
 
-  /** The front of the ball as a normal capture. */
+  /** The ball as a file: a picture of its front that holds all of it. */
   capture(): Uint8Array<ArrayBuffer> {
-    return writePng(pixelsOfMap(this.map, captureSize));
+    return captureFile(this.map);
   }
 
   #tip(): BrushTip {
@@ -170,9 +168,6 @@ export class NormalPainter {
     };
   }
 }
-
-/** What recipes call a painted ball, and the name that it is saved under; a number is put to it if several steps have one. */
-const paintedName = 'painted.png';
 
 const spheres = new WeakMap<GaussMap, SphereMap>();
 let blank: SphereMap | null = null;
