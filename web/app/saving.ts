@@ -156,7 +156,7 @@ export class SavingActions {
   adopt(assets: ReadonlyMap<string, Asset>): void {
     for (const [name, asset] of assets) {
       if (asset.kind === 'image') this.#parts.images.adopt(name, asset);
-      else this.#parts.styles.adopt(name, asset);
+      else if (asset.kind !== 'sphere-field') this.#parts.styles.adopt(name, asset);
     }
   }
 
