@@ -4,6 +4,7 @@ import { createBrowserEngine } from '../src/engine/in-browser.ts';
 import { Interaction } from '../src/viewer/interaction.ts';
 import { Viewer } from '../src/viewer/viewer.ts';
 import { Page } from './app/actions.ts';
+import { CubeActions } from './app/cube-actions.ts';
 import { listenForDrops } from './app/drop.ts';
 import { followMethod } from './app/follow-method.ts';
 import { HandleActions } from './app/handle-actions.ts';
@@ -42,13 +43,26 @@ const painter = new NormalPainter(store, editor, soon);
 const interaction = viewer && new Interaction(viewer);
 const surface = new Selectable(() => store.set({}));
 const handles = new HandleActions(store, editor);
+const cube = new CubeActions(store, editor);
 const tools = new ToolBelt(
   store,
   interaction,
-  interaction && makeTools({ store, interaction, handles, surface, soon }),
+  interaction && makeTools({ store, interaction, handles, cube, surface, soon }),
 );
 const saving = new SavingActions({ store, editor, engine, styles, images });
-const page = new Page({ store, editor, styles, images, painter, handles, tools, saving, presenter, viewer });
+const page = new Page({
+  store,
+  editor,
+  styles,
+  images,
+  painter,
+  handles,
+  cube,
+  tools,
+  saving,
+  presenter,
+  viewer,
+});
 
 followTheme(store, viewer);
 followOverlay(store, viewer);

@@ -9,6 +9,7 @@ import { findMethod } from '../../src/methods/registry.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
 import type { NormalPainter } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
+import type { CubeActions } from './cube-actions.ts';
 import { exportName, ownFormat } from './export.ts';
 import { type FoundFile, found, readBeside, unpackArchives } from './found-files.ts';
 import type { HandleActions } from './handle-actions.ts';
@@ -30,6 +31,7 @@ export interface PageParts {
   readonly images: ImageActions;
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
+  readonly cube: CubeActions;
   readonly tools: ToolBelt;
   readonly saving: SavingActions;
   readonly presenter: Presenter;
@@ -45,19 +47,21 @@ export class Page {
   readonly images: ImageActions;
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
+  readonly cube: CubeActions;
   readonly tools: ToolBelt;
   readonly saving: SavingActions;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
 
   constructor(parts: PageParts) {
-    const { store, editor, styles, images, painter, handles, tools, saving, presenter, viewer } = parts;
+    const { store, editor, styles, images, painter, handles, cube, tools, saving, presenter, viewer } = parts;
     this.store = store;
     this.editor = editor;
     this.styles = styles;
     this.images = images;
     this.painter = painter;
     this.handles = handles;
+    this.cube = cube;
     this.tools = tools;
     this.saving = saving;
     this.#presenter = presenter;

@@ -2,11 +2,13 @@ import type { TemplateResult } from 'lit';
 import type { Page } from '../app/actions.ts';
 import type { Tools } from '../tools/all.ts';
 import type { ToolId } from '../tools/tool.ts';
+import { cubeOptions } from './cube-options.ts';
 import { moveOptions } from './move-options.ts';
 
 /** The options of each tool that has some. */
 const options: Partial<Record<ToolId, (page: Page, tools: Tools) => TemplateResult>> = {
   move: (page, { move }) => moveOptions(page, move),
+  cube: cubeOptions,
 };
 
 /** What can be set of a tool; null where there is nothing. */

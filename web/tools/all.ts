@@ -1,14 +1,17 @@
 import type { Interaction } from '../../src/viewer/interaction.ts';
+import type { CubeActions } from '../app/cube-actions.ts';
 import type { HandleActions } from '../app/handle-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
 import type { Selectable } from '../app/selectable.ts';
 import { MoveHandles } from './move-handles.ts';
+import { TurnCube } from './turn-cube.ts';
 
 /** What tools work with. */
 export interface ToolParts {
   readonly store: PageStore;
   readonly interaction: Interaction;
   readonly handles: HandleActions;
+  readonly cube: CubeActions;
   readonly surface: Selectable;
   /** Runs something before the next picture. */
   readonly soon: (run: () => void) => void;
@@ -16,7 +19,7 @@ export interface ToolParts {
 
 /** Every tool; a new one is a file beside this, its line here, its options among the panels and its face on the strip. */
 export function makeTools(parts: ToolParts) {
-  return { move: new MoveHandles(parts) };
+  return { move: new MoveHandles(parts), cube: new TurnCube(parts) };
 }
 
 export type Tools = ReturnType<typeof makeTools>;
