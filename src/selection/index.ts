@@ -19,5 +19,6 @@ export {
   selectedVertices,
   shrunk,
 } from './selection.ts';
+export { otherEnd } from './topology.ts';
 export { type ScreenShape, Visibility } from './visibility.ts';
 export { atOnce, inSlices, type SliceOptions, type Work } from './work.ts';

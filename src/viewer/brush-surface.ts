@@ -1,69 +1,6 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Vector3 } from 'three';
 import { INTERSECTED, MeshBVH, NOT_INTERSECTED } from 'three-mesh-bvh';
-import { between, distance, row, type Vec3 } from '../mesh/vectors.ts';
-
-/** The end of a brush that touches a surface. */
-export interface BrushTip {
-  /** In units of the surface. */
-  readonly radius: number;
-  /** 0 fades from the middle on, 1 is full up to the rim. */
-  readonly hardness: number;
-}
-
-/** How much a brush gives at a distance from its middle: 1 inside its hard core, smoothly down to 0 at its radius. */
-export function falloff(away: number, { radius, hardness }: BrushTip): number {
-  const core = radius * Math.min(0.999, Math.max(0, hardness));
-  if (away <= core) return 1;
-  if (away >= radius) return 0;
-  const t = (radius - away) / (radius - core);
-  return t * t * (3 - 2 * t);
-}
-
-/** Turns the points where a pointer was seen into touches that overlap, however quickly it moved. */
-export class Stroke {
-  readonly #spacing: number;
-  #last: Vec3 | null = null;
-
-  /** @param spacing most there may be between two touches */
-  constructor(spacing: number) {
-    this.#spacing = spacing;
-  }
-
-  /** The touches that lead to a point, itself the last. */
-  to(point: Vec3): Vec3[] {
-    const from = this.#last ?? point;
-    this.#last = point;
-    const steps = Math.max(1, Math.ceil(distance(from, point) / this.#spacing));
-    return Array.from({ length: steps }, (_, k) => between(from, point, (k + 1) / steps));
-  }
-}
-
-/**
- * A stroke's effect on the vertices of a surface. A vertex that is touched again and again within one stroke gets the most
- * of what the touches give, not their sum: a stroke over itself is no darker.
- */
-export class Coverage {
-  readonly #surface: BrushSurface;
-  /** #V, 0 to 1. */
-  readonly share: Float64Array<ArrayBuffer>;
-
-  constructor(surface: BrushSurface) {
-    this.#surface = surface;
-    this.share = new Float64Array(surface.vertices);
-  }
-
-  /** @returns vertices whose share grew */
-  touch(point: Vec3, tip: BrushTip): number[] {
-    const grown: number[] = [];
-    this.#surface.around(point, tip.radius, (vertex, away) => {
-      const share = falloff(away, tip);
-      if (share <= this.share[vertex]!) return;
-      this.share[vertex] = share;
-      grown.push(vertex);
-    });
-    return grown;
-  }
-}
+import { distance, row, type Vec3 } from '../mesh/vectors.ts';
 
 /** What a ray meets first. */
 export interface Hit {
@@ -101,7 +38,7 @@ export class BrushSurface {
   }
 
   /** Visits each vertex of the faces that a ball reaches and that is itself in the ball, once, with its distance. */
-  around(center: Vec3, radius: number, visit: (vertex: number, away: number) => void): void {
+  readonly around = (center: Vec3, radius: number, visit: (vertex: number, away: number) => void): void => {
     const turn = ++this.#turn;
     const ball = new Sphere(new Vector3(...center), radius);
     this.#tree.shapecast({
@@ -117,5 +54,5 @@ export class BrushSurface {
         return false;
       },
     });
-  }
+  };
 }

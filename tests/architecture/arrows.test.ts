@@ -12,6 +12,7 @@ const typescriptArrows: Record<string, string[]> = {
   'src/recipe': ['src/inputs', 'src/engine', 'src/methods', 'src/mesh'],
   'src/measures': ['src/inputs', 'src/methods', 'src/mesh'],
   'src/selection': ['src/mesh'],
+  'src/painting': ['src/selection', 'src/inputs', 'src/mesh'],
   'src/viewer': ['src/mesh'],
   'src/editor': [
     'src/recipe',
@@ -36,6 +37,7 @@ const typescriptArrows: Record<string, string[]> = {
     'src/editor',
     'src/viewer',
     'src/selection',
+    'src/painting',
     'src/measures',
     'src/recipe',
     'src/inputs',

@@ -4,7 +4,7 @@ import { readPng } from '../../src/inputs/images/png.ts';
 import { blankMap, mapOfPixels } from '../../src/inputs/styles/captures.ts';
 import { lookup } from '../../src/inputs/styles/gauss-lookup.ts';
 import { distance, dot, row, unit, type Vec3 } from '../../src/mesh/vectors.ts';
-import { BrushSurface, Coverage, falloff, Stroke } from '../../src/viewer/brush-surface.ts';
+import { BrushSurface } from '../../src/viewer/brush-surface.ts';
 import { inWords, nudged, pointed, toFile, toSeen } from '../../web/app/view-directions.ts';
 import { NormalPainter } from '../../web/tools/paint-normals.ts';
 import { headlessEditor, look, quiet } from '../fixtures/headless-editor.ts';
@@ -14,22 +14,7 @@ const ball = () => {
   return new BrushSurface(points, triangles);
 };
 
-describe('a brush', () => {
-  it('is full in its core, nothing at its rim, and falls between', () => {
-    const tip = { radius: 2, hardness: 0.5 };
-    expect([0, 1, 2, 3].map((away) => falloff(away, tip))).toEqual([1, 1, 0, 0]);
-    expect(falloff(1.5, tip)).toBeCloseTo(0.5);
-    expect(falloff(1.9, { radius: 2, hardness: 1 })).toBe(1);
-  });
-
-  it('leaves no gaps between two sights of the pointer', () => {
-    const stroke = new Stroke(0.1);
-    const touches = [...stroke.to([0, 0, 0]), ...stroke.to([1, 0, 0])];
-    for (let k = 1; k < touches.length; k++)
-      expect(distance(touches[k - 1]!, touches[k]!)).toBeLessThanOrEqual(0.1 + 1e-12);
-    expect(touches.at(-1)).toEqual([1, 0, 0]);
-  });
-
+describe('a surface to paint on', () => {
   it('reaches exactly the vertices in its ball', () => {
     const { points } = blankMap();
     const reached = new Set<number>();
@@ -38,15 +23,6 @@ describe('a brush', () => {
       (vertex) => distance(row(points, vertex), [0, 0, 1]) < 0.3,
     );
     expect([...reached].sort((a, b) => a - b)).toEqual(near);
-  });
-
-  it('is no stronger where a stroke crosses itself', () => {
-    const coverage = new Coverage(ball());
-    const tip = { radius: 0.4, hardness: 0 };
-    coverage.touch([0, 0, 1], tip);
-    const once = coverage.share.slice();
-    expect(coverage.touch([0, 0, 1], tip)).toEqual([]);
-    expect(coverage.share).toEqual(once);
   });
 
   it('finds what is pointed at', () => {

@@ -9,7 +9,8 @@ import { captureFile } from '../../src/inputs/styles/exact-capture.ts';
 import { add, row, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
-import { BrushSurface, type BrushTip, Coverage, Stroke } from '../../src/viewer/brush-surface.ts';
+import { type BrushTip, Coverage, Stroke } from '../../src/painting/index.ts';
+import { BrushSurface } from '../../src/viewer/brush-surface.ts';
 import { canTake } from '../app/offered-methods.ts';
 import type { PageStore } from '../app/page-state.ts';
 import { paintedName } from '../app/style-gallery.ts';
@@ -32,8 +33,13 @@ export class NormalPainter {
   readonly #editor: Editor;
   readonly #soon: (run: () => void) => void;
   #ball: BrushSurface | null = null;
-  #stroke: { path: Stroke; coverage: Coverage; mirrored: Coverage; base: SphereMap; map: SphereMap } | null =
-    null;
+  #stroke: {
+    path: Stroke;
+    coverage: Coverage<Vec3>;
+    mirrored: Coverage<Vec3>;
+    base: SphereMap;
+    map: SphereMap;
+  } | null = null;
   #isScheduled = false;
 
   /** @param soon runs something before the next picture */
@@ -77,10 +83,11 @@ export class NormalPainter {
   begin(point: Vec3): void {
     const base = this.map;
     this.#ball ??= new BrushSurface(base.points, base.triangles);
+    const { vertices, around } = this.#ball;
     this.#stroke = {
       path: new Stroke(this.#tip().radius / 4),
-      coverage: new Coverage(this.#ball),
-      mirrored: new Coverage(this.#ball),
+      coverage: new Coverage(vertices, around),
+      mirrored: new Coverage(vertices, around),
       base,
       map: base,
     };
@@ -121,7 +128,7 @@ export class NormalPainter {
     return { radius: 2 * Math.sin((this.brush.size * Math.PI) / 360), hardness: this.brush.hardness };
   }
 
-  #lay(coverage: Coverage, point: Vec3, direction: Vec3, normals: Float64Array): void {
+  #lay(coverage: Coverage<Vec3>, point: Vec3, direction: Vec3, normals: Float64Array): void {
     const { base } = this.#stroke!;
     for (const vertex of coverage.touch(point, this.#tip())) {
       const share = coverage.share[vertex]!;
