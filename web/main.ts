@@ -16,6 +16,7 @@ import { readImage } from './app/read-image.ts';
 import { begin } from './app/returning.ts';
 import { SavingActions } from './app/saving.ts';
 import { Selectable } from './app/selectable.ts';
+import { Selecting } from './app/selecting.ts';
 import { listenForShortcuts } from './app/shortcuts.ts';
 import { StyleActions } from './app/style-actions.ts';
 import { followTheme } from './app/theme.ts';
@@ -40,6 +41,7 @@ const styles = new StyleActions({ store, editor, engine, drawn: nextFrame });
 const images = new ImageActions(store, editor);
 const soon = (run: () => void) => requestAnimationFrame(run);
 const painter = new NormalPainter(store, editor, soon);
+const selecting = new Selecting(store, editor);
 const interaction = viewer && new Interaction(viewer);
 const surface = new Selectable(() => store.set({}));
 const handles = new HandleActions(store, editor);
@@ -47,7 +49,7 @@ const cube = new CubeActions(store, editor);
 const tools = new ToolBelt(
   store,
   interaction,
-  interaction && makeTools({ store, interaction, handles, cube, surface, soon }),
+  interaction && makeTools({ store, interaction, handles, cube, surface, selecting, soon }),
 );
 const saving = new SavingActions({ store, editor, engine, styles, images });
 const page = new Page({
@@ -58,6 +60,7 @@ const page = new Page({
   painter,
   handles,
   cube,
+  selecting,
   tools,
   saving,
   presenter,

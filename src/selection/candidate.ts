@@ -37,12 +37,30 @@ export function candidateAt(surface: SelectableMesh, aim: Aim, options: Candidat
   if (options.oneVertex) return oneVertex(nearestVertex(surface, aim));
   if (options.wholePart) return partOf(surface, aim.face);
   const near = nearestFeature(surface, aim);
-  if (near) return lineAt(surface, near.edge, near.isBorder);
-  const patch = facesOfPatch(surface, aim.face).length;
+  const line = near && lineAt(surface, near.edge, near.isBorder);
+  if (line && isLargeEnough(line, aim)) return line;
   const part = facesOfPart(surface, aim.face).length;
-  if (patch < part) return patchOf(surface, aim.face);
-  if (part < faceCount(surface.topology)) return partOf(surface, aim.face);
+  if (facesOfPatch(surface, aim.face).length < part) {
+    const patch = patchOf(surface, aim.face);
+    if (isLargeEnough(patch, aim)) return patch;
+  } else if (part < faceCount(surface.topology)) return partOf(surface, aim.face);
   return spotAt(surface, aim, options.spot);
+}
+
+/** What is smaller on the screen than so many times the pointer's reach is a crumb of a rough surface: nobody points at it. */
+const leastReaches = 3;
+
+function isLargeEnough({ vertices }: Candidate, { project, reach }: Aim): boolean {
+  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const vertex of vertices) {
+    const [x, y] = project(vertex);
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    top = Math.min(top, y);
+    bottom = Math.max(bottom, y);
+    if (Math.max(right - left, bottom - top) >= leastReaches * reach) return true;
+  }
+  return false;
 }
 
 /** The part that a face belongs to. */
@@ -97,7 +115,7 @@ function spotAt(surface: SelectableMesh, aim: Aim, radius: number): Candidate {
     vertices,
     edges: noEdges,
     faces: facesInside(surface, vertices),
-    sentence: `a round spot of ${told(vertices)}; this shape has no edges to go by, so drag to brush, or draw a lasso`,
+    sentence: `a round spot of ${told(vertices)}, as there are no edges to go by; drag to brush`,
   };
 }
 

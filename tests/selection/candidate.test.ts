@@ -85,12 +85,23 @@ describe('a click takes', () => {
   test('a round spot of a shape that has neither lines nor parts, and says what else there is', () => {
     const { kind, sentence, places, faces } = clickOn(icosphere(4), 0.2, 0.1);
     expect(kind).toBe('spot');
-    expect(sentence).toMatch(/^a round spot of \d+ vertices; .* drag to brush, or draw a lasso$/);
+    expect(sentence).toMatch(/^a round spot of \d+ vertices, as there are no edges to go by; drag to brush$/);
     expect(places.length).toBeGreaterThan(20);
     expect(faces.length).toBeGreaterThan(20);
     expect(places.every(([x, y, z]) => Math.hypot(x! - 0.2, y! - 0.1, z! - Math.sqrt(0.95)) < 0.302)).toBe(
       true,
     );
+  });
+
+  test('no crumb of a rough surface, but what is around it', () => {
+    // One face of a fine ball stands up like a scale.
+    const ball = icosphere(4);
+    const positions = ball.positions.slice();
+    const top = positions.findIndex((z, i) => i % 3 === 2 && z > 0.97) - 2;
+    for (let k = 0; k < 3; k++) positions[top + k]! *= 1.06;
+    const [x, y] = [positions[top]! + 0.01, positions[top + 1]! + 0.01];
+    expect(atOnce(selectableOf({ ...ball, positions })).features).toContain(1);
+    expect(clickOn({ ...ball, positions }, x, y).kind).toBe('spot');
   });
 
   test('one vertex, or the whole part, where that is asked for', () => {

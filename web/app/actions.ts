@@ -20,6 +20,7 @@ import { imageEndings, imageNames } from './read-image.ts';
 import { fetchSample, type Sample, sampleAddress, samples } from './samples.ts';
 import { saveFile } from './save.ts';
 import type { FoundRecipe, SavingActions } from './saving.ts';
+import type { Selecting } from './selecting.ts';
 import type { StyleActions } from './style-actions.ts';
 import type { ToolBelt } from './tool-belt.ts';
 import type { ViewTurn } from './view-directions.ts';
@@ -32,6 +33,7 @@ export interface PageParts {
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
   readonly cube: CubeActions;
+  readonly selecting: Selecting;
   readonly tools: ToolBelt;
   readonly saving: SavingActions;
   readonly presenter: Presenter;
@@ -48,13 +50,15 @@ export class Page {
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
   readonly cube: CubeActions;
+  readonly selecting: Selecting;
   readonly tools: ToolBelt;
   readonly saving: SavingActions;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
 
   constructor(parts: PageParts) {
-    const { store, editor, styles, images, painter, handles, cube, tools, saving, presenter, viewer } = parts;
+    const { store, editor, styles, images, painter, handles, cube, selecting } = parts;
+    const { tools, saving, presenter, viewer } = parts;
     this.store = store;
     this.editor = editor;
     this.styles = styles;
@@ -62,6 +66,7 @@ export class Page {
     this.painter = painter;
     this.handles = handles;
     this.cube = cube;
+    this.selecting = selecting;
     this.tools = tools;
     this.saving = saving;
     this.#presenter = presenter;

@@ -4,6 +4,7 @@ import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Shading } from '../../src/viewer/viewer.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { builtInImages, type ImageEntry } from './image-gallery.ts';
+import { type SelectState, startingSelect } from './select-state.ts';
 import { builtIn, type StyleEntry } from './style-gallery.ts';
 
 export type Theme = 'auto' | 'light' | 'dark';
@@ -47,6 +48,7 @@ export interface PageState extends EditorState {
   readonly look: Look;
   /** What is in the hand; never undone. */
   readonly tool: ToolId;
+  readonly select: SelectState;
   /** What {@link Look.overlay} measures of the project. */
   readonly overlay: Overlay | null;
   readonly gallery: Gallery;
@@ -61,6 +63,7 @@ export function newPageStore(): PageStore {
     ...emptyState,
     look: { shading: 'smooth', theme: 'auto', comparing: false, overlay: 'none' },
     tool: 'turn',
+    select: startingSelect,
     overlay: null,
     gallery: { entries: builtIn, pending: null, flow: null, offer: null, painting: false },
     images: builtInImages,

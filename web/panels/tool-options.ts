@@ -4,9 +4,11 @@ import type { Tools } from '../tools/all.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { cubeOptions } from './cube-options.ts';
 import { moveOptions } from './move-options.ts';
+import { selectOptions } from './select-options.ts';
 
 /** The options of each tool that has some. */
 const options: Partial<Record<ToolId, (page: Page, tools: Tools) => TemplateResult>> = {
+  select: selectOptions,
   move: (page, { move }) => moveOptions(page, move),
   cube: cubeOptions,
 };

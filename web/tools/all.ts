@@ -3,7 +3,9 @@ import type { CubeActions } from '../app/cube-actions.ts';
 import type { HandleActions } from '../app/handle-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
 import type { Selectable } from '../app/selectable.ts';
+import type { Selecting } from '../app/selecting.ts';
 import { MoveHandles } from './move-handles.ts';
+import { SelectTool } from './select.ts';
 import { TurnCube } from './turn-cube.ts';
 
 /** What tools work with. */
@@ -13,13 +15,14 @@ export interface ToolParts {
   readonly handles: HandleActions;
   readonly cube: CubeActions;
   readonly surface: Selectable;
+  readonly selecting: Selecting;
   /** Runs something before the next picture. */
   readonly soon: (run: () => void) => void;
 }
 
 /** Every tool; a new one is a file beside this, its line here, its options among the panels and its face on the strip. */
 export function makeTools(parts: ToolParts) {
-  return { move: new MoveHandles(parts), cube: new TurnCube(parts) };
+  return { select: new SelectTool(parts), move: new MoveHandles(parts), cube: new TurnCube(parts) };
 }
 
 export type Tools = ReturnType<typeof makeTools>;

@@ -1,0 +1,119 @@
+import type { Mesh } from '../../src/mesh/mesh.ts';
+import { weldOf } from '../../src/mesh/weld.ts';
+import {
+  type Aim,
+  type Candidate,
+  candidateAt,
+  discAround,
+  type ScreenPoint,
+  type ScreenShape,
+  type SelectableMesh,
+  type Selection,
+  Visibility,
+} from '../../src/selection/index.ts';
+import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
+import type { Interaction } from '../../src/viewer/interaction.ts';
+import type { Surface } from '../../src/viewer/surface.ts';
+import type { Selecting } from '../app/selecting.ts';
+import { ScreenMap } from './screen-map.ts';
+import type { SelectInk } from './select-ink.ts';
+
+/** Pixels within which a line of the shape is meant: fingers are less exact. */
+const reach = { mouse: 7, pen: 9, touch: 18 } as const;
+
+type Place = Pick<CanvasPointer, 'x' | 'y'>;
+
+/** What can be seen of the mesh, and taken, from where one looks at it during one gesture. */
+export class SelectView {
+  readonly #interaction: Interaction;
+  readonly #selecting: Selecting;
+  readonly #ink: SelectInk;
+  readonly #surface: SelectableMesh;
+  readonly #map: ScreenMap;
+  readonly #takesHidden: boolean;
+  /** Radius of the brush in CSS pixels. */
+  readonly brush: number;
+  #shape: ScreenShape | null = null;
+  #visibility: Visibility | null = null;
+
+  constructor(
+    { interaction, selecting, ink }: { interaction: Interaction; selecting: Selecting; ink: SelectInk },
+    {
+      mesh,
+      surface,
+      through,
+      brush,
+    }: { mesh: Mesh; surface: SelectableMesh; through: boolean; brush: number },
+  ) {
+    this.#interaction = interaction;
+    this.#selecting = selecting;
+    this.#ink = ink;
+    this.#surface = surface;
+    this.#map = new ScreenMap(interaction.viewer, weldOf(mesh).positionOfVertex);
+    this.#takesHidden = through;
+    this.brush = brush;
+  }
+
+  /** What a click would take; null beside the mesh. */
+  candidate(pointer: CanvasPointer, wholePart = false): Candidate | null {
+    const aim = this.#aim(pointer, reach[pointer.kind]);
+    if (!aim) return null;
+    return candidateAt(this.#surface, aim, { oneVertex: pointer.alt, wholePart, spot: this.#radius(aim) });
+  }
+
+  /** The vertices under the brush; none beside the mesh. */
+  disc(place: Place): Uint32Array {
+    const aim = this.#aim(place, 0);
+    if (!aim) return new Uint32Array(0);
+    const found = discAround(this.#surface, aim, this.#radius(aim));
+    if (this.#takesHidden) return found;
+    const { sees } = this.seen();
+    return found.filter((vertex) => sees(vertex));
+  }
+
+  /** Where everything is on the canvas, and what of it is not hidden. */
+  seen(): { shape: ScreenShape; sees: (vertex: number) => boolean } {
+    this.#shape ??= this.#map.shape();
+    if (this.#takesHidden) return { shape: this.#shape, sees: () => true };
+    this.#visibility ??= new Visibility(
+      this.#surface.topology,
+      this.#shape,
+      facingOf(this.#interaction.viewer.space.surface!),
+    );
+    const visibility = this.#visibility;
+    return { shape: this.#shape, sees: (vertex) => visibility.sees(vertex) };
+  }
+
+  put(selection: Selection): void {
+    this.#selecting.put(selection);
+  }
+
+  draw(outline: readonly ScreenPoint[]): void {
+    this.#ink.outline(outline);
+  }
+
+  #aim({ x, y }: Place, within: number): Aim | null {
+    const hit = this.#interaction.picking.pick({ x, y });
+    if (!hit) return null;
+    return {
+      face: hit.face,
+      weights: [...hit.weights],
+      pointer: [x, y],
+      project: this.#map.place,
+      reach: within,
+    };
+  }
+
+  #radius({ face }: Aim): number {
+    return this.#map.unitsAt(this.#surface.topology.triangles[3 * face]!, this.brush);
+  }
+}
+
+const facings = new WeakMap<Surface, Surface['facing']>();
+
+/** Which way the faces of a mesh look; measured once, as no step turns a mesh inside out. */
+function facingOf(surface: Surface): Surface['facing'] {
+  const facing = facings.get(surface) ?? surface.facing;
+  facings.set(surface, facing);
+  return facing;
+}
