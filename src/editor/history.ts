@@ -1,4 +1,5 @@
 import { keptBytes } from './kept-bytes.ts';
+import { type PackedProject, pack, unpack } from './packed-project.ts';
 import type { Project } from './project.ts';
 
 /** One gesture: what there was and what came of it. */
@@ -8,35 +9,52 @@ export interface Entry {
   readonly after: Project;
 }
 
-export interface History {
-  readonly past: readonly Entry[];
-  readonly future: readonly Entry[];
+/** A gesture long ago, or long undone: the project on its far side, packed against the one on its near side. */
+interface FarEntry {
+  readonly label: string;
+  readonly far: PackedProject;
 }
 
-export const emptyHistory: History = Object.freeze({ past: [], future: [] });
+export interface History {
+  /** The latest last. */
+  readonly past: readonly Entry[];
+  /** The next first. */
+  readonly future: readonly Entry[];
+  /** Before {@link past}, the latest last. */
+  readonly farPast: readonly FarEntry[];
+  /** After {@link future}, the next first. */
+  readonly farFuture: readonly FarEntry[];
+}
 
-/** Most that undo may keep alive, in bytes; the oldest entries go first. */
+export const emptyHistory: History = Object.freeze({ past: [], future: [], farPast: [], farFuture: [] });
+
+/** Most that undo may keep alive, in bytes. What is over is packed, the farthest from now first; what still is over goes. */
 const budget = 256 * 2 ** 20;
 const mostEntries = 200;
+/** So many entries at both sides of now are kept as they are: undoing them gives back settled shapes. */
+const nearEntries = 3;
 
 /** Notes a finished gesture. What had been undone is gone. */
 export function record(history: History, entry: Entry): History {
-  let past = [...history.past, entry].slice(-mostEntries);
-  while (past.length > 1 && keptBytes(past) > budget) past = past.slice(1);
-  return { past, future: [] };
+  return fitted({ ...history, past: [...history.past, entry], future: [], farFuture: [] });
 }
 
 /** The project before the latest gesture, or null when there is none. */
 export function undo(history: History): { history: History; entry: Entry } | null {
-  const entry = history.past.at(-1);
+  const { farPast, past, future, farFuture } = broughtNear(history);
+  const entry = past.at(-1);
   if (!entry) return null;
-  return { entry, history: { past: history.past.slice(0, -1), future: [entry, ...history.future] } };
+  return {
+    entry,
+    history: fitted({ farPast, past: past.slice(0, -1), future: [entry, ...future], farFuture }),
+  };
 }
 
 export function redo(history: History): { history: History; entry: Entry } | null {
-  const [entry, ...future] = history.future;
+  const { farPast, past, future, farFuture } = broughtNear(history);
+  const [entry, ...others] = future;
   if (!entry) return null;
-  return { entry, history: { past: [...history.past, entry], future } };
+  return { entry, history: fitted({ farPast, past: [...past, entry], future: others, farFuture }) };
 }
 
 /** Puts a project's settled successor in its place wherever an entry holds it. */
@@ -46,5 +64,49 @@ export function amend(history: History, old: Project, now: Project): History {
     entry.before === old || entry.after === old
       ? { label: entry.label, before: put(entry.before), after: put(entry.after) }
       : entry;
-  return { past: history.past.map(each), future: history.future.map(each) };
+  return { ...history, past: history.past.map(each), future: history.future.map(each) };
+}
+
+/** Unpacks what is next, so that there is an entry to undo and one to redo wherever there are any at all. */
+function broughtNear(history: History): History {
+  let { past, future, farPast, farFuture } = history;
+  const [oldest] = past;
+  const latest = future.at(-1);
+  const farther = farPast.at(-1);
+  if (past.length <= 1 && farther && oldest) {
+    const before = unpack(farther.far, oldest.before);
+    past = [{ label: farther.label, before, after: oldest.before }, ...past];
+    farPast = farPast.slice(0, -1);
+  }
+  const [later] = farFuture;
+  if (future.length <= 1 && later && latest) {
+    const after = unpack(later.far, latest.after);
+    future = [...future, { label: later.label, before: latest.after, after }];
+    farFuture = farFuture.slice(1);
+  }
+  return { past, future, farPast, farFuture };
+}
+
+function fitted(history: History): History {
+  let { past, future, farPast, farFuture } = history;
+  const isOver = () => keptBytes(past, future, farPast, farFuture) > budget;
+  while (past.length + farPast.length > mostEntries) {
+    if (farPast.length > 0) farPast = farPast.slice(1);
+    else past = past.slice(1);
+  }
+  while (isOver()) {
+    if (past.length > nearEntries && past.length >= future.length) {
+      const [oldest, ...others] = past;
+      farPast = [...farPast, { label: oldest!.label, far: pack(oldest!.before, oldest!.after) }];
+      past = others;
+    } else if (future.length > nearEntries) {
+      const last = future.at(-1)!;
+      farFuture = [{ label: last.label, far: pack(last.after, last.before) }, ...farFuture];
+      future = future.slice(0, -1);
+    } else if (farPast.length > 0) farPast = farPast.slice(1);
+    else if (farFuture.length > 0) farFuture = farFuture.slice(0, -1);
+    else if (past.length > 1) past = past.slice(1);
+    else break;
+  }
+  return { past, future, farPast, farFuture };
 }
