@@ -1,4 +1,5 @@
 import { faceCount, faceOfSide, type Topology } from './topology.ts';
+import { pieceLength, type Work } from './work.ts';
 
 /** A shape as a camera sees it. */
 export interface ScreenShape {
@@ -11,6 +12,8 @@ export interface ScreenShape {
   readonly width: number;
   readonly height: number;
 }
+
+export type Facing = 'out' | 'in' | 'neither';
 
 /** A vertex is surely seen if it lies less than so many pixels behind what is seen at its pixel, and surely hidden beyond the other. */
 const surely = 1;
@@ -28,12 +31,22 @@ export class Visibility {
   /** Reciprocal depth of the nearest face at each pixel, 0 where there is none: it is linear over a face on the screen. */
   readonly #nearest: Float32Array;
 
-  /** @param facing where the faces look, of a closed shape; `neither` of a sheet, which has no far side */
-  constructor(topology: Topology, screen: ScreenShape, facing: 'out' | 'in' | 'neither') {
+  private constructor(
+    topology: Topology,
+    screen: ScreenShape,
+    { isOutside, nearest }: { isOutside: boolean | null; nearest: Float32Array },
+  ) {
     this.#topology = topology;
     this.#screen = screen;
-    this.#isOutside = facing === 'neither' ? null : facing === 'out';
-    this.#nearest = nearestFaces(topology, screen);
+    this.#isOutside = isOutside;
+    this.#nearest = nearest;
+  }
+
+  /** @param facing where the faces look, of a closed shape; `neither` of a sheet, which has no far side */
+  static *of(topology: Topology, screen: ScreenShape, facing: Facing): Work<Visibility> {
+    const nearest = yield* nearestFaces(topology, screen);
+    const isOutside = facing === 'neither' ? null : facing === 'out';
+    return new Visibility(topology, screen, { isOutside, nearest });
   }
 
   sees(vertex: number): boolean {
@@ -75,10 +88,13 @@ function isSeenFromFront({ triangles }: Topology, { places }: ScreenShape, face:
   return ux * vy - uy * vx < 0;
 }
 
-function nearestFaces(topology: Topology, screen: ScreenShape): Float32Array {
+function* nearestFaces(topology: Topology, screen: ScreenShape): Work<Float32Array> {
   const nearest = new Float32Array(Math.ceil(screen.width) * Math.ceil(screen.height));
   const faces = faceCount(topology);
-  for (let face = 0; face < faces; face++) drawFace(topology.triangles, screen, nearest, face);
+  for (let face = 0; face < faces; face++) {
+    drawFace(topology.triangles, screen, nearest, face);
+    if (face % (pieceLength / 4) === 0) yield;
+  }
   return nearest;
 }
 

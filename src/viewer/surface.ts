@@ -122,7 +122,7 @@ export class Surface {
       const [vx, vy, vz] = [x[d]! - x[a]!, x[d + 1]! - x[a + 1]!, x[d + 2]! - x[a + 2]!];
       const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
       sixfoldVolume += x[a]! * nx + x[a + 1]! * ny + x[a + 2]! * nz;
-      doubledArea += Math.hypot(nx, ny, nz);
+      doubledArea += Math.sqrt(nx * nx + ny * ny + nz * nz);
     }
     // 36π V² / A³ is 1 for a ball and less for all else.
     const isSheet = Math.PI * sixfoldVolume ** 2 < flatBody * (doubledArea / 2) ** 3;

@@ -30,7 +30,7 @@ function seen(mesh: TestMesh, facing: 'out' | 'in' | 'neither') {
     screen.places[2 * v] = size / 2 + (focal * places[3 * v]!) / depth;
     screen.places[2 * v + 1] = size / 2 - (focal * places[3 * v + 1]!) / depth;
   }
-  const visibility = new Visibility(topology, screen, facing);
+  const visibility = atOnce(Visibility.of(topology, screen, facing));
   return { places, sees: (v: number) => visibility.sees(v), count: topology.vertices };
 }
 

@@ -43,16 +43,26 @@ export class ScreenMap {
     return pixels * this.#along(vertex, 3) * this.#unitsOfPixel;
   }
 
+  /** Whether another map has everything in the same place, if the shape is the same. */
+  isLike(other: ScreenMap): boolean {
+    return (
+      this.#drawn === other.#drawn &&
+      this.#width === other.#width &&
+      this.#height === other.#height &&
+      this.#matrix.every((value, k) => value === other.#matrix[k])
+    );
+  }
+
   /** All of it at once. */
   shape(): ScreenShape {
     const count = this.#positionOfVertex.length;
     const places = new Float32Array(2 * count);
     const depths = new Float32Array(count);
     for (let v = 0; v < count; v++) {
-      const [x, y] = this.place(v);
-      places[2 * v] = x;
-      places[2 * v + 1] = y;
-      depths[v] = this.#along(v, 3);
+      const w = this.#along(v, 3);
+      depths[v] = w;
+      places[2 * v] = w > 0 ? ((this.#along(v, 0) / w + 1) * this.#width) / 2 : Number.NaN;
+      places[2 * v + 1] = w > 0 ? ((1 - this.#along(v, 1) / w) * this.#height) / 2 : Number.NaN;
     }
     return { places, depths, focal: this.#focal, width: this.#width, height: this.#height };
   }

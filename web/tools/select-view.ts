@@ -9,13 +9,12 @@ import {
   type ScreenShape,
   type SelectableMesh,
   type Selection,
-  Visibility,
 } from '../../src/selection/index.ts';
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
-import type { Surface } from '../../src/viewer/surface.ts';
 import type { Selecting } from '../app/selecting.ts';
 import { ScreenMap } from './screen-map.ts';
+import type { Seen } from './seen.ts';
 import type { SelectInk } from './select-ink.ts';
 
 /** Pixels within which a line of the shape is meant: fingers are less exact. */
@@ -23,33 +22,35 @@ const reach = { mouse: 7, pen: 9, touch: 18 } as const;
 
 type Place = Pick<CanvasPointer, 'x' | 'y'>;
 
+export interface SelectViewParts {
+  readonly interaction: Interaction;
+  readonly selecting: Selecting;
+  readonly ink: SelectInk;
+  readonly seen: Seen;
+}
+
+export interface SelectViewOptions {
+  readonly mesh: Mesh;
+  readonly surface: SelectableMesh;
+  /** What is hidden is taken too. */
+  readonly through: boolean;
+  /** Radius of the brush in CSS pixels. */
+  readonly brush: number;
+}
+
 /** What can be seen of the mesh, and taken, from where one looks at it during one gesture. */
 export class SelectView {
-  readonly #interaction: Interaction;
-  readonly #selecting: Selecting;
-  readonly #ink: SelectInk;
+  readonly #parts: SelectViewParts;
   readonly #surface: SelectableMesh;
   readonly #map: ScreenMap;
   readonly #takesHidden: boolean;
   /** Radius of the brush in CSS pixels. */
   readonly brush: number;
-  #shape: ScreenShape | null = null;
-  #visibility: Visibility | null = null;
 
-  constructor(
-    { interaction, selecting, ink }: { interaction: Interaction; selecting: Selecting; ink: SelectInk },
-    {
-      mesh,
-      surface,
-      through,
-      brush,
-    }: { mesh: Mesh; surface: SelectableMesh; through: boolean; brush: number },
-  ) {
-    this.#interaction = interaction;
-    this.#selecting = selecting;
-    this.#ink = ink;
+  constructor(parts: SelectViewParts, { mesh, surface, through, brush }: SelectViewOptions) {
+    this.#parts = parts;
     this.#surface = surface;
-    this.#map = new ScreenMap(interaction.viewer, weldOf(mesh).positionOfVertex);
+    this.#map = new ScreenMap(parts.interaction.viewer, weldOf(mesh).positionOfVertex);
     this.#takesHidden = through;
     this.brush = brush;
   }
@@ -73,27 +74,26 @@ export class SelectView {
 
   /** Where everything is on the canvas, and what of it is not hidden. */
   seen(): { shape: ScreenShape; sees: (vertex: number) => boolean } {
-    this.#shape ??= this.#map.shape();
-    if (this.#takesHidden) return { shape: this.#shape, sees: () => true };
-    this.#visibility ??= new Visibility(
-      this.#surface.topology,
-      this.#shape,
-      facingOf(this.#interaction.viewer.space.surface!),
-    );
-    const visibility = this.#visibility;
-    return { shape: this.#shape, sees: (vertex) => visibility.sees(vertex) };
+    if (this.#takesHidden) return { shape: this.#map.shape(), sees: () => true };
+    const { shape, visibility } = this.#parts.seen.of(this.#map, this.#surface);
+    return { shape, sees: (vertex) => visibility.sees(vertex) };
+  }
+
+  /** Someone is about to brush. */
+  prepare(): void {
+    if (!this.#takesHidden) this.#parts.seen.prepare(this.#map, this.#surface);
   }
 
   put(selection: Selection): void {
-    this.#selecting.put(selection);
+    this.#parts.selecting.put(selection);
   }
 
   draw(outline: readonly ScreenPoint[]): void {
-    this.#ink.outline(outline);
+    this.#parts.ink.outline(outline);
   }
 
   #aim({ x, y }: Place, within: number): Aim | null {
-    const hit = this.#interaction.picking.pick({ x, y });
+    const hit = this.#parts.interaction.picking.pick({ x, y });
     if (!hit) return null;
     return {
       face: hit.face,
@@ -107,13 +107,4 @@ export class SelectView {
   #radius({ face }: Aim): number {
     return this.#map.unitsAt(this.#surface.topology.triangles[3 * face]!, this.brush);
   }
-}
-
-const facings = new WeakMap<Surface, Surface['facing']>();
-
-/** Which way the faces of a mesh look; measured once, as no step turns a mesh inside out. */
-function facingOf(surface: Surface): Surface['facing'] {
-  const facing = facings.get(surface) ?? surface.facing;
-  facings.set(surface, facing);
-  return facing;
 }

@@ -4,10 +4,11 @@ import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { PageState, PageStore } from '../app/page-state.ts';
 import { brushSizes } from '../app/select-state.ts';
 import type { Selecting } from '../app/selecting.ts';
+import { Seen } from './seen.ts';
 import { BrushStroke, isStill, Outline, pointOf, type SelectGesture } from './select-gestures.ts';
 import { SelectInk } from './select-ink.ts';
 import { SelectLayers } from './select-layers.ts';
-import { SelectView } from './select-view.ts';
+import { SelectView, type SelectViewParts } from './select-view.ts';
 import type { Tool } from './tool.ts';
 
 /** Two clicks within as many milliseconds take the whole part. */
@@ -26,6 +27,7 @@ interface Press {
 export class SelectTool implements Tool {
   readonly cursor = 'crosshair';
   readonly #store: PageStore;
+  readonly #parts: SelectViewParts;
   readonly #selecting: Selecting;
   readonly #interaction: Interaction;
   readonly #layers: SelectLayers;
@@ -41,6 +43,7 @@ export class SelectTool implements Tool {
     this.#interaction = parts.interaction;
     this.#layers = new SelectLayers(parts.interaction.layers);
     this.#ink = new SelectInk(parts.interaction.viewer.canvas);
+    this.#parts = { ...parts, ink: this.#ink, seen: new Seen(parts.interaction.viewer) };
   }
 
   enter(): void {
@@ -59,7 +62,9 @@ export class SelectTool implements Tool {
   hover(pointer: CanvasPointer | null): void {
     const { way, brush } = this.#store.state.select;
     this.#ink.ring(pointer && way === 'brush' ? pointOf(pointer) : null, brush);
-    this.#point(pointer && way === 'click' ? pointer : null, this.#view());
+    const view = this.#view();
+    this.#point(pointer && way === 'click' ? pointer : null, view);
+    if (pointer) view?.prepare();
   }
 
   press(pointer: CanvasPointer): boolean {
@@ -152,8 +157,7 @@ export class SelectTool implements Tool {
     const { project, select } = this.#store.state;
     const { surface } = this.#selecting;
     if (!project || !surface || !this.#interaction.viewer.space.surface) return null;
-    const parts = { interaction: this.#interaction, selecting: this.#selecting, ink: this.#ink };
-    return new SelectView(parts, {
+    return new SelectView(this.#parts, {
       mesh: project.mesh,
       surface,
       through: select.through,
