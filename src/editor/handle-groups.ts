@@ -1,5 +1,5 @@
 import { type Affine, applied } from '../mesh/affine.ts';
-import { add, row, scale, type Vec3 } from '../mesh/vectors.ts';
+import { add, doubledAreaVector, row, scale, unit, type Vec3 } from '../mesh/vectors.ts';
 import type { Handles } from '../methods/values/handles.ts';
 import type { Group } from '../recipe/index.ts';
 
@@ -86,6 +86,26 @@ export function targetCenter({ vertices, targets }: Handles, group: readonly num
 /** The middle of some vertices in a shape (#P×3). */
 export function centerIn(shape: ArrayLike<number>, group: readonly number[]): Vec3 {
   return centerOf(group.map((vertex) => row(shape, vertex)));
+}
+
+/**
+ * Where a patch of a surface looks on the whole, unit; zero where it looks everywhere.
+ *
+ * @param shape #P×3   @param triangles #F×3
+ */
+export function outlook(
+  shape: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  patch: readonly number[],
+): Vec3 {
+  const isMember = new Set(patch);
+  let sum: Vec3 = [0, 0, 0];
+  for (let corner = 0; corner < triangles.length; corner += 3) {
+    const [a, b, c] = [triangles[corner]!, triangles[corner + 1]!, triangles[corner + 2]!];
+    if (isMember.has(a) && isMember.has(b) && isMember.has(c))
+      sum = add(sum, doubledAreaVector(row(shape, a), row(shape, b), row(shape, c)));
+  }
+  return unit(sum);
 }
 
 /**

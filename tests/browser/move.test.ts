@@ -2,8 +2,9 @@ import type { Page } from 'playwright-core';
 import { beforeEach, expect, it } from 'vitest';
 import { violations } from './support/axe.ts';
 import { picture } from './support/browser.ts';
-import { done, drag, type Place, takeTool } from './support/hands.ts';
+import { done, drag, fingers, type Place, takeTool } from './support/hands.ts';
 import { exported, shapedHeadless } from './support/headless.ts';
+import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();
@@ -115,6 +116,29 @@ it('works from the keyboard alone, and turns the view where there is nothing to 
   await page.locator('#canvas').focus();
   await page.keyboard.press('ArrowRight');
   expect(await picture(page)).not.toBe(before);
+});
+
+it.runIf(canEmulate)('gives one finger to the tool and two to the camera', async () => {
+  page = await pages.open({ hasTouch: true });
+  await takeTool(page, 'Move');
+  const touch = await fingers(page);
+  const before = await picture(page);
+  // A second finger in the middle of a pull: nothing was pulled, and the two come closer to the mesh.
+  await touch('touchStart', [500, 300]);
+  await touch('touchMove', [510, 290]);
+  await touch('touchStart', [510, 290], [620, 480]);
+  for (let k = 1; k <= 6; k++)
+    await touch('touchMove', [510 - 8 * k, 290 - 8 * k], [620 + 8 * k, 480 + 8 * k]);
+  await touch('touchEnd');
+  await page.waitForFunction(() => document.querySelectorAll('.groups li').length === 0);
+  expect(await undo().isEnabled()).toBe(false);
+  expect(await picture(page)).not.toBe(before);
+  await page.keyboard.press('f');
+  await picture(page);
+  await touch('touchStart', ear);
+  for (let k = 1; k <= 5; k++) await touch('touchMove', [ear[0] + 5 * k, ear[1] - 12 * k]);
+  await touch('touchEnd');
+  await done(page, 'Pull');
 });
 
 it('passes axe with its options open', async () => {

@@ -5,6 +5,7 @@ import {
   handleGroups,
   movedHandles,
   noHandles,
+  outlook,
   targetCenter,
   withHandles,
   withoutHandles,
@@ -63,6 +64,12 @@ describe('handles by groups', () => {
         [1, 1, 2],
       ],
     });
+  });
+
+  it('look out of the surface that they are a patch of', () => {
+    const triangles = Uint32Array.of(0, 1, 2, 1, 3, 2);
+    expect(outlook(rest, triangles, [0, 1, 2])).toEqual([0, 0, 1]);
+    expect(outlook(rest, triangles, [0, 1])).toEqual([0, 0, 0]);
   });
 
   it('stand on their lowest, or hang from their highest where the lowest is pulled', () => {

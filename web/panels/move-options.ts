@@ -59,6 +59,8 @@ function activeGroup(page: Page, tool: MoveHandles, group: HandleGroup) {
           html`<button type="button" class="button small" data-way=${id} aria-pressed=${tool.options.gizmo === id} title="${title} (${key} to do it by keys)" @click=${() => tool.set({ gizmo: id })}>${title}</button>`,
       )}
     </div>
+    <label class="field" title="The gizmo’s axes are the group’s own: the blue one leads out of the surface"><span>Own axes</span>
+      <input type="checkbox" data-act="own-axes" .checked=${tool.options.ownAxes} @change=${(event: Event) => tool.set({ ownAxes: (event.target as HTMLInputElement).checked })} /></label>
     <div class="numbers" role="group" aria-label="How far ${group.name} has moved">
       ${(['x', 'y', 'z'] as const).map(
         (axis, k) =>

@@ -1,8 +1,9 @@
-import { targetCenter } from '../../src/editor/handle-groups.ts';
+import { outlook, targetCenter } from '../../src/editor/handle-groups.ts';
+import { shownPositions } from '../../src/editor/project.ts';
 import { type Affine, translation } from '../../src/mesh/affine.ts';
 import { extentOf } from '../../src/mesh/extent.ts';
 import { subtract, type Vec3 } from '../../src/mesh/vectors.ts';
-import { weldOf } from '../../src/mesh/weld.ts';
+import { solvedSourceTriangles, weldOf } from '../../src/mesh/weld.ts';
 import { discAround, inSlices, mirrorMap } from '../../src/selection/index.ts';
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import { Gizmo, type GizmoMode } from '../../src/viewer/gizmo.ts';
@@ -24,6 +25,8 @@ export interface MoveOptions {
   /** What is done on one side is done on the other. */
   readonly mirror: boolean;
   readonly gizmo: GizmoMode;
+  /** The gizmo's axes are the group's own, the blue one along where it looks, and not the file's. */
+  readonly ownAxes: boolean;
 }
 
 type Gesture =
@@ -44,7 +47,7 @@ export interface MoveParts {
 
 /** Holds parts of the mesh still and pulls others, by hand, by gizmo or by keys. */
 export class MoveHandles implements Tool {
-  options: MoveOptions = { mode: 'pull', size: 0.07, mirror: false, gizmo: 'translate' };
+  options: MoveOptions = { mode: 'pull', size: 0.07, mirror: false, gizmo: 'translate', ownAxes: false };
   /** Under way by keys: G, R or S. */
   typed: { readonly transform: TypedTransform; readonly grip: Grip; readonly plane: ViewPlane } | null = null;
   readonly cursor = 'crosshair';
@@ -288,6 +291,13 @@ export class MoveHandles implements Tool {
     if (this.options.mirror && store.state.project?.mesh === project.mesh) handles.mirror = map;
   }
 
+  #axesOf(vertices: readonly number[]): readonly [number, number, number, number] | undefined {
+    const { project } = this.#parts.store.state;
+    if (!this.options.ownAxes || !project) return undefined;
+    const normal = outlook(shownPositions(project), solvedSourceTriangles(project.mesh), vertices);
+    return turnFromZ(normal);
+  }
+
   #show(): void {
     const { handles, store } = this.#parts;
     const { active, groups } = handles;
@@ -295,8 +305,16 @@ export class MoveHandles implements Tool {
     if (project) this.#parts.surface.of(project);
     this.#layers.show(groups, active, handles.handles, project);
     if (!active || this.typed || this.#gesture?.kind === 'pull') this.#gizmo.hide();
-    else this.#gizmo.show(targetCenter(handles.handles, active.vertices));
+    else this.#gizmo.show(targetCenter(handles.handles, active.vertices), this.#axesOf(active.vertices));
   }
+}
+
+/** The shortest turn of the z axis to a direction, as a quaternion; undefined for no direction. */
+function turnFromZ([x, y, z]: Vec3): readonly [number, number, number, number] | undefined {
+  if (x === 0 && y === 0 && z === 0) return undefined;
+  if (z < -1 + 1e-9) return [1, 0, 0, 0];
+  const length = Math.hypot(-y, x, 1 + z);
+  return [-y / length, x / length, 0, (1 + z) / length];
 }
 
 const gizmoLabels: Readonly<Record<GizmoMode, string>> = {

@@ -21,3 +21,15 @@ export async function done(page: Page, entry: string): Promise<void> {
   await page.waitForSelector(`[data-act=undo][aria-label="Undo ${entry}"]`);
   await page.waitForSelector('whittle-status[data-activity=idle]');
 }
+
+/** Fingers on the window: each call says where all of them are now. Chromium only. */
+export async function fingers(page: Page) {
+  const session = await page.context().newCDPSession(page);
+  return async (
+    type: 'touchStart' | 'touchMove' | 'touchEnd',
+    ...places: readonly Place[]
+  ): Promise<void> => {
+    const touchPoints = places.map(([x, y], id) => ({ x, y, id }));
+    await session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  };
+}
