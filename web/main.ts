@@ -18,6 +18,7 @@ import { SavingActions } from './app/saving.ts';
 import { Selectable } from './app/selectable.ts';
 import { Selecting } from './app/selecting.ts';
 import { listenForShortcuts } from './app/shortcuts.ts';
+import { StrengthActions } from './app/strength-actions.ts';
 import { StyleActions } from './app/style-actions.ts';
 import { followTheme } from './app/theme.ts';
 import { ToolBelt } from './app/tool-belt.ts';
@@ -46,10 +47,11 @@ const interaction = viewer && new Interaction(viewer);
 const surface = new Selectable(() => store.set({}));
 const handles = new HandleActions(store, editor);
 const cube = new CubeActions(store, editor);
+const strength = new StrengthActions(store, editor);
 const tools = new ToolBelt(
   store,
   interaction,
-  interaction && makeTools({ store, interaction, handles, cube, surface, selecting, soon }),
+  interaction && makeTools({ store, interaction, handles, cube, strength, surface, selecting, soon }),
 );
 const saving = new SavingActions({ store, editor, engine, styles, images });
 const page = new Page({
@@ -61,6 +63,7 @@ const page = new Page({
   handles,
   cube,
   selecting,
+  strength,
   tools,
   saving,
   presenter,

@@ -12,6 +12,10 @@ export const handlesParameter = (method: MethodDescriptor | undefined): string |
 export const strengthParameter = (method: MethodDescriptor | undefined): string | undefined =>
   named(method, 'scalars');
 
+/** A share of the strength for each direction. */
+export const fieldParameter = (method: MethodDescriptor | undefined): string | undefined =>
+  named(method, 'sphereField');
+
 /** Regions that are turned. */
 export const regionsParameter = (method: MethodDescriptor | undefined): string | undefined =>
   named(method, 'rotations');

@@ -85,6 +85,15 @@ export class PaintBall {
     shaded.needsUpdate = colors.needsUpdate = true;
   }
 
+  /** Colours the ball and leaves it round. @param colors linear, three numbers a point */
+  setColors(colors: Float32Array): void {
+    const shaded = this.#geometry.getAttribute('normal') as BufferAttribute;
+    const shown = this.#geometry.getAttribute('color') as BufferAttribute;
+    shaded.array.set(this.#geometry.getAttribute('position').array);
+    shown.array.set(colors);
+    shaded.needsUpdate = shown.needsUpdate = true;
+  }
+
   /** Shows where the brush would touch. @param radius in degrees; null takes the ring away */
   setCursor(point: Triple | null, radius = 0): void {
     this.#ring.visible = point !== null;

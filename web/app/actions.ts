@@ -21,6 +21,7 @@ import { fetchSample, type Sample, sampleAddress, samples } from './samples.ts';
 import { saveFile } from './save.ts';
 import type { FoundRecipe, SavingActions } from './saving.ts';
 import type { Selecting } from './selecting.ts';
+import type { StrengthActions } from './strength-actions.ts';
 import type { StyleActions } from './style-actions.ts';
 import type { ToolBelt } from './tool-belt.ts';
 import type { ViewTurn } from './view-directions.ts';
@@ -34,6 +35,7 @@ export interface PageParts {
   readonly handles: HandleActions;
   readonly cube: CubeActions;
   readonly selecting: Selecting;
+  readonly strength: StrengthActions;
   readonly tools: ToolBelt;
   readonly saving: SavingActions;
   readonly presenter: Presenter;
@@ -51,13 +53,14 @@ export class Page {
   readonly handles: HandleActions;
   readonly cube: CubeActions;
   readonly selecting: Selecting;
+  readonly strength: StrengthActions;
   readonly tools: ToolBelt;
   readonly saving: SavingActions;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
 
   constructor(parts: PageParts) {
-    const { store, editor, styles, images, painter, handles, cube, selecting } = parts;
+    const { store, editor, styles, images, painter, handles, cube, strength, selecting } = parts;
     const { tools, saving, presenter, viewer } = parts;
     this.store = store;
     this.editor = editor;
@@ -67,6 +70,7 @@ export class Page {
     this.handles = handles;
     this.cube = cube;
     this.selecting = selecting;
+    this.strength = strength;
     this.tools = tools;
     this.saving = saving;
     this.#presenter = presenter;

@@ -17,9 +17,27 @@ export const blank = new Color('#8b8680');
 
 const stopsOf = ({ kind }: Scale): readonly Color[] => (kind === 'rising' ? rising : diverging);
 
+/** How strong a style is, from nothing to all: blue over paper to clay. */
+const strength = colors('#3d6fb0', '#8fb0cf', '#e6dfd4', '#e3b28c', '#d5804f');
+const strengthTable = Array.from(
+  { length: 256 },
+  (_, k) => between(strength, k / 255).toArray() as [number, number, number],
+);
+
+/** The linear colour of a strength from 0 to 1. */
+export function strengthColor(share: number): readonly [number, number, number] {
+  return strengthTable[Math.round(255 * share)]!;
+}
+
+/** As CSS: from no strength to all of it. */
+export const strengthGradient = `linear-gradient(to right, ${strength.map((color) => color.getStyle()).join(', ')})`;
+
 /** The colour of a share of the band, from 0 to 1. */
 export function ramp(scale: Scale, share: number): Color {
-  const stops = stopsOf(scale);
+  return between(stopsOf(scale), share);
+}
+
+function between(stops: readonly Color[], share: number): Color {
   const at = Math.max(0, Math.min(1, share)) * (stops.length - 1);
   const below = Math.min(stops.length - 2, Math.floor(at));
   return stops[below]!.clone().lerp(stops[below + 1]!, at - below);

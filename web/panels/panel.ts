@@ -147,7 +147,7 @@ export class WhittlePanel extends PageElement {
     const step = project && activeStep(project);
     if (!step) return;
     const { name, value, phase } = event.detail;
-    const parameters = { ...step.parameters, [name]: value };
+    const parameters = this.page.strength.rescaled({ ...step.parameters, [name]: value });
     if (phase === 'preview') this.page.editor.preview({ parameters });
     else this.page.editor.commit({ parameters }, labelOf(step.method, name));
   };

@@ -4,6 +4,7 @@ import type { Tools } from '../tools/all.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { cubeOptions } from './cube-options.ts';
 import { moveOptions } from './move-options.ts';
+import { paintOptions } from './paint-options.ts';
 import { selectOptions } from './select-options.ts';
 
 /** The options of each tool that has some. */
@@ -11,6 +12,7 @@ const options: Partial<Record<ToolId, (page: Page, tools: Tools) => TemplateResu
   select: selectOptions,
   move: (page, { move }) => moveOptions(page, move),
   cube: cubeOptions,
+  paint: (page, { paint }) => paintOptions(page, paint),
 };
 
 /** What can be set of a tool; null where there is nothing. */

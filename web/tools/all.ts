@@ -4,7 +4,9 @@ import type { HandleActions } from '../app/handle-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
 import type { Selectable } from '../app/selectable.ts';
 import type { Selecting } from '../app/selecting.ts';
+import type { StrengthActions } from '../app/strength-actions.ts';
 import { MoveHandles } from './move-handles.ts';
+import { PaintStrength } from './paint-strength.ts';
 import { SelectTool } from './select.ts';
 import { TurnCube } from './turn-cube.ts';
 
@@ -14,6 +16,7 @@ export interface ToolParts {
   readonly interaction: Interaction;
   readonly handles: HandleActions;
   readonly cube: CubeActions;
+  readonly strength: StrengthActions;
   readonly surface: Selectable;
   readonly selecting: Selecting;
   /** Runs something before the next picture. */
@@ -22,7 +25,12 @@ export interface ToolParts {
 
 /** Every tool; a new one is a file beside this, its line here, its options among the panels and its face on the strip. */
 export function makeTools(parts: ToolParts) {
-  return { select: new SelectTool(parts), move: new MoveHandles(parts), cube: new TurnCube(parts) };
+  return {
+    select: new SelectTool(parts),
+    move: new MoveHandles(parts),
+    paint: new PaintStrength(parts),
+    cube: new TurnCube(parts),
+  };
 }
 
 export type Tools = ReturnType<typeof makeTools>;

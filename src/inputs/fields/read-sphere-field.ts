@@ -52,9 +52,16 @@ function unsuitable(name: string, what: string): WhittleError {
   return new WhittleError('unsupported-file', `${name}: ${what}`);
 }
 
+/** The brightest of a PNG of 16 bits. */
+const white = 65535;
+
+/** The field in the steps of the PNG that it is saved as, which then says the same to the bit. */
+export function inSavedSteps(field: SphereField): SphereField {
+  return { ...field, values: Float64Array.from(field.values, (value) => Math.round(white * value) / white) };
+}
+
 /** The field as a grey PNG of 16 bits, to be read again by {@link readSphereField}. */
 export function pngOfSphereField({ width, height, values }: SphereField): Uint8Array<ArrayBuffer> {
-  const white = 65535;
   return writeGreyPng({
     width,
     height,
