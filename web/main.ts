@@ -12,6 +12,7 @@ import { ImageActions } from './app/image-actions.ts';
 import { followLayout } from './app/layout.ts';
 import { followOverlay } from './app/overlay-paint.ts';
 import { newPageStore } from './app/page-state.ts';
+import { PlaneActions } from './app/plane-actions.ts';
 import { readImage } from './app/read-image.ts';
 import { begin } from './app/returning.ts';
 import { SavingActions } from './app/saving.ts';
@@ -48,11 +49,9 @@ const surface = new Selectable(() => store.set({}));
 const handles = new HandleActions(store, editor);
 const cube = new CubeActions(store, editor);
 const strength = new StrengthActions(store, editor);
-const tools = new ToolBelt(
-  store,
-  interaction,
-  interaction && makeTools({ store, interaction, handles, cube, strength, surface, selecting, soon }),
-);
+const planes = new PlaneActions(store, editor);
+const parts = { store, handles, planes, cube, strength, surface, selecting, soon };
+const tools = new ToolBelt(store, interaction, interaction && makeTools({ ...parts, interaction }));
 const saving = new SavingActions({ store, editor, engine, styles, images });
 const page = new Page({
   store,
@@ -62,6 +61,7 @@ const page = new Page({
   painter,
   handles,
   cube,
+  planes,
   selecting,
   strength,
   tools,

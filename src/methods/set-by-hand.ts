@@ -8,6 +8,10 @@ import type { ParameterDescriptor } from './values/index.ts';
 export const handlesParameter = (method: MethodDescriptor | undefined): string | undefined =>
   named(method, 'handles');
 
+/** Vertices held on planes. */
+export const planesParameter = (method: MethodDescriptor | undefined): string | undefined =>
+  named(method, 'planes');
+
 /** A strength for each vertex. */
 export const strengthParameter = (method: MethodDescriptor | undefined): string | undefined =>
   named(method, 'scalars');

@@ -4,7 +4,6 @@ import { membersOf } from './labels.ts';
 import { boundaryLoop, featureLoop } from './loops.ts';
 import { type Aim, nearestFeature, nearestVertex } from './near-pointer.ts';
 import type { SelectableMesh } from './selectable.ts';
-import { faceCount } from './topology.ts';
 
 /** What a click would take. */
 export interface Candidate {
@@ -39,11 +38,10 @@ export function candidateAt(surface: SelectableMesh, aim: Aim, options: Candidat
   const near = nearestFeature(surface, aim);
   const line = near && lineAt(surface, near.edge, near.isBorder);
   if (line && isLargeEnough(line, aim)) return line;
-  const part = facesOfPart(surface, aim.face).length;
-  if (facesOfPatch(surface, aim.face).length < part) {
+  if (!isAllOfItsPart(surface, aim.face)) {
     const patch = patchOf(surface, aim.face);
     if (isLargeEnough(patch, aim)) return patch;
-  } else if (part < faceCount(surface.topology)) return partOf(surface, aim.face);
+  } else if (surface.parts.count > 1) return partOf(surface, aim.face);
   return spotAt(surface, aim, options.spot);
 }
 
@@ -61,6 +59,39 @@ function isLargeEnough({ vertices }: Candidate, { project, reach }: Aim): boolea
     if (Math.max(right - left, bottom - top) >= leastReaches * reach) return true;
   }
   return false;
+}
+
+/** Of a part's faces: smaller patches are crumbs of a rough surface too, and cut nothing off. */
+const crumbShare = 1e-3;
+
+const whole = new WeakMap<SelectableMesh, Map<number, boolean>>();
+
+/** Whether the patch of a face has all of its part but for crumbs. */
+function isAllOfItsPart(surface: SelectableMesh, face: number): boolean {
+  const known = whole.get(surface) ?? new Map<number, boolean>();
+  whole.set(surface, known);
+  const patch = surface.patches.of[face]!;
+  const isWhole = known.get(patch) ?? hasOnlyCrumbsBeside(surface, face);
+  known.set(patch, isWhole);
+  return isWhole;
+}
+
+function hasOnlyCrumbsBeside(surface: SelectableMesh, face: number): boolean {
+  const part = facesOfPart(surface, face);
+  let left = part.length - facesOfPatch(surface, face).length;
+  if (left > part.length / 2) return false;
+  const { patches } = surface;
+  const own = patches.of[face]!;
+  const seen = new Set([own]);
+  for (let k = 0; k < part.length && left > 0; k++) {
+    const patch = patches.of[part[k]!]!;
+    if (seen.has(patch)) continue;
+    seen.add(patch);
+    const { length } = facesOfPatch(surface, part[k]!);
+    if (length >= crumbShare * part.length) return false;
+    left -= length;
+  }
+  return true;
 }
 
 /** The part that a face belongs to. */

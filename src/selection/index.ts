@@ -3,6 +3,7 @@ export { discAround, placeOf, type SurfacePoint } from './disc.ts';
 export { type DrawnSelection, drawnOf } from './drawn.ts';
 export { facesInside } from './face-sets.ts';
 export { defaultFeatureAngle } from './features.ts';
+export { type FittedPlane, fittedPlane, reachOf } from './fitted-plane.ts';
 export { alone, aloneIn, type MirrorMap, type MirrorPlane, mirrored, mirrorMap } from './mirror.ts';
 export type { Aim, ScreenPoint } from './near-pointer.ts';
 export { boxRegion, type ScreenRegion, verticesInside } from './screen-region.ts';

@@ -104,6 +104,16 @@ describe('a click takes', () => {
     expect(clickOn({ ...ball, positions }, x, y).kind).toBe('spot');
   });
 
+  test('no smooth patch that has all but crumbs', () => {
+    const ball = icosphere(4);
+    const positions = ball.positions.slice();
+    const bottom = ball.triangles.findIndex((v) => positions[3 * v + 2]! < -0.97);
+    for (const v of ball.triangles.subarray(bottom - (bottom % 3), bottom - (bottom % 3) + 3))
+      for (let k = 0; k < 3; k++) positions[3 * v + k]! *= 1.12;
+    expect(atOnce(selectableOf({ ...ball, positions })).patches.count).toBeGreaterThan(1);
+    expect(clickOn({ ...ball, positions }, 0.2, 0.1).kind).toBe('spot');
+  });
+
   test('one vertex, or the whole part, where that is asked for', () => {
     const one = clickOn(block(4), 0.06, 0.45, { oneVertex: true });
     expect([one.sentence, one.places]).toEqual(['one vertex', [[0, 0.5, 1]]]);

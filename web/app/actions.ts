@@ -16,6 +16,7 @@ import type { HandleActions } from './handle-actions.ts';
 import type { ImageActions } from './image-actions.ts';
 import { obstacle } from './offered-methods.ts';
 import type { Look, PageStore } from './page-state.ts';
+import type { PlaneActions } from './plane-actions.ts';
 import { imageEndings, imageNames } from './read-image.ts';
 import { fetchSample, type Sample, sampleAddress, samples } from './samples.ts';
 import { saveFile } from './save.ts';
@@ -34,6 +35,7 @@ export interface PageParts {
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
   readonly cube: CubeActions;
+  readonly planes: PlaneActions;
   readonly selecting: Selecting;
   readonly strength: StrengthActions;
   readonly tools: ToolBelt;
@@ -52,6 +54,7 @@ export class Page {
   readonly painter: NormalPainter;
   readonly handles: HandleActions;
   readonly cube: CubeActions;
+  readonly planes: PlaneActions;
   readonly selecting: Selecting;
   readonly strength: StrengthActions;
   readonly tools: ToolBelt;
@@ -60,7 +63,7 @@ export class Page {
   readonly #viewer: Viewer | null;
 
   constructor(parts: PageParts) {
-    const { store, editor, styles, images, painter, handles, cube, strength, selecting } = parts;
+    const { store, editor, styles, images, painter, handles, cube, planes, strength, selecting } = parts;
     const { tools, saving, presenter, viewer } = parts;
     this.store = store;
     this.editor = editor;
@@ -69,6 +72,7 @@ export class Page {
     this.painter = painter;
     this.handles = handles;
     this.cube = cube;
+    this.planes = planes;
     this.selecting = selecting;
     this.strength = strength;
     this.tools = tools;

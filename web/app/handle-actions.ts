@@ -110,7 +110,7 @@ export class HandleActions {
     const project = this.project!;
     const places = activeStep(project).result?.positions ?? restShapeOf(project, project.active)!;
     const partners = this.#partnersOf(positions);
-    const name = freeGroupName(project.groups, label);
+    const name = nameOfSame(project.groups, positions) ?? freeGroupName(project.groups, label);
     const made: Group[] = [{ name, vertices: positions }];
     if (partners.length > 0)
       made.push({ name: freeGroupName([...project.groups, ...made], label), vertices: partners });
@@ -212,6 +212,14 @@ export class HandleActions {
   #vertexOf(position: number): number {
     return weldOf(this.project!.mesh).vertexOfPosition[position]!;
   }
+}
+
+/** The name of the group that has the very same positions: it becomes what is moved, and no second one beside it. */
+function nameOfSame(groups: readonly Group[], positions: readonly number[]): string | undefined {
+  const wanted = new Set(positions);
+  return groups.find(
+    ({ vertices }) => vertices.length === wanted.size && vertices.every((vertex) => wanted.has(vertex)),
+  )?.name;
 }
 
 /** What groups are called before a person calls them something else. */

@@ -5,6 +5,8 @@ import { brushSizes, type SelectWay } from '../app/select-state.ts';
 import { selectionSentence } from '../app/selecting.ts';
 import './groups.ts';
 import { icon } from './icons.ts';
+import { planeList } from './planes.ts';
+import { selectionUses } from './selection-uses.ts';
 
 const ways: readonly { readonly id: SelectWay; readonly title: string; readonly hint: string }[] = [
   {
@@ -44,6 +46,8 @@ export function selectOptions(page: Page): TemplateResult {
       ${select.way === 'click' || select.way === 'brush' ? size(page) : nothing}
       ${select.way === 'click' ? nothing : through(page)}
       ${changes(page)}
+      ${selectionUses(page)}
+      ${planeList(page)}
       <whittle-groups .page=${page}></whittle-groups>
     </div>
   `;

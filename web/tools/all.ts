@@ -2,6 +2,7 @@ import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { CubeActions } from '../app/cube-actions.ts';
 import type { HandleActions } from '../app/handle-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
+import type { PlaneActions } from '../app/plane-actions.ts';
 import type { Selectable } from '../app/selectable.ts';
 import type { Selecting } from '../app/selecting.ts';
 import type { StrengthActions } from '../app/strength-actions.ts';
@@ -17,6 +18,7 @@ export interface ToolParts {
   readonly handles: HandleActions;
   readonly cube: CubeActions;
   readonly strength: StrengthActions;
+  readonly planes: PlaneActions;
   readonly surface: Selectable;
   readonly selecting: Selecting;
   /** Runs something before the next picture. */

@@ -2,8 +2,10 @@ import { type Combination, combined, type Selection } from '../../src/selection/
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { PageState, PageStore } from '../app/page-state.ts';
+import type { PlaneActions } from '../app/plane-actions.ts';
 import { brushSizes } from '../app/select-state.ts';
 import type { Selecting } from '../app/selecting.ts';
+import { type PlaneDrag, PlaneGrips } from './plane-grips.ts';
 import { Seen } from './seen.ts';
 import { BrushStroke, isStill, Outline, pointOf, type SelectGesture } from './select-gestures.ts';
 import { SelectInk } from './select-ink.ts';
@@ -13,6 +15,13 @@ import type { Tool } from './tool.ts';
 
 /** Two clicks within as many milliseconds take the whole part. */
 const doubleClick = 400;
+
+export interface SelectParts {
+  readonly store: PageStore;
+  readonly selecting: Selecting;
+  readonly planes: PlaneActions;
+  readonly interaction: Interaction;
+}
 
 interface Press {
   readonly from: CanvasPointer;
@@ -32,16 +41,20 @@ export class SelectTool implements Tool {
   readonly #interaction: Interaction;
   readonly #layers: SelectLayers;
   readonly #ink: SelectInk;
+  readonly #planes: PlaneGrips;
   #press: Press | null = null;
+  /** A plane is being dragged. */
+  #drag: PlaneDrag | null = null;
   #lastClick: { readonly at: CanvasPointer; readonly time: number } | null = null;
   #isDrawing = false;
   #leave: () => void = () => {};
 
-  constructor(parts: { store: PageStore; selecting: Selecting; interaction: Interaction }) {
+  constructor(parts: SelectParts) {
     this.#store = parts.store;
     this.#selecting = parts.selecting;
     this.#interaction = parts.interaction;
     this.#layers = new SelectLayers(parts.interaction.layers);
+    this.#planes = new PlaneGrips(parts.interaction, parts.planes);
     this.#ink = new SelectInk(parts.interaction.viewer.canvas);
     this.#parts = { ...parts, ink: this.#ink, seen: new Seen(parts.interaction.viewer) };
   }
@@ -55,6 +68,7 @@ export class SelectTool implements Tool {
   leave(): void {
     this.#leave();
     this.#layers.clear();
+    this.#planes.clear();
     this.#ink.clear();
     this.#selecting.set({ pointed: null });
   }
@@ -68,6 +82,8 @@ export class SelectTool implements Tool {
   }
 
   press(pointer: CanvasPointer): boolean {
+    this.#drag = this.#planes.take(pointer);
+    if (this.#drag) return true;
     const { way, combination, selection } = this.#store.state.select;
     const view = this.#view();
     if (!view || !selection) return false;
@@ -82,6 +98,7 @@ export class SelectTool implements Tool {
   }
 
   move(pointer: CanvasPointer): void {
+    this.#drag?.move(pointer);
     const press = this.#press;
     if (!press) return;
     if (!press.gesture && isStill(press.from, pointer)) return;
@@ -90,6 +107,8 @@ export class SelectTool implements Tool {
   }
 
   release(pointer: CanvasPointer): void {
+    this.#drag?.release(pointer);
+    this.#drag = null;
     const press = this.#press;
     this.#press = null;
     if (!press) return;
@@ -99,6 +118,8 @@ export class SelectTool implements Tool {
   }
 
   cancel(): void {
+    this.#drag?.cancel();
+    this.#drag = null;
     const press = this.#press;
     this.#press = null;
     this.#ink.clear();
@@ -174,6 +195,7 @@ export class SelectTool implements Tool {
       const { project, select, tool }: PageState = this.#store.state;
       if (project && tool === 'select')
         this.#layers.showSelection(this.#selecting.surface, project.mesh, select.selection);
+      if (tool === 'select') this.#planes.show();
     });
   }
 }
