@@ -18,11 +18,19 @@ export default defineConfig({
         test: {
           name: 'node',
           include: ['tests/**/*.test.ts'],
-          exclude: ['tests/browser/**'],
+          exclude: ['tests/browser/**', 'tests/figures/**'],
           ...patience,
         },
       },
       { test: { name: 'chromium', ...inBrowser, provide: { browser: 'chromium' } } },
+      {
+        test: {
+          name: 'figures',
+          ...inBrowser,
+          include: ['tests/figures/**/*.test.ts'],
+          provide: { browser: 'chromium' },
+        },
+      },
       {
         test: {
           name: 'firefox',
