@@ -44,7 +44,7 @@ export function selectOptions(page: Page): TemplateResult {
     ${said(page)}
     <div class="select-more" ?data-unfolded=${select.isUnfolded}>
       ${select.way === 'click' || select.way === 'brush' ? size(page) : nothing}
-      ${select.way === 'click' ? nothing : through(page)}
+      ${select.way === 'click' ? edges(page) : through(page)}
       ${changes(page)}
       ${selectionUses(page)}
       ${planeList(page)}
@@ -84,6 +84,15 @@ function size({ store, selecting }: Page) {
   return html`
     <label class="field"><span>Size</span>
       <input type="range" class="plain" min=${brushSizes.least} max=${brushSizes.most} step="1" .value=${live(String(brush))} aria-valuetext="${2 * brush} pixels across" @input=${(event: Event) => selecting.set({ brush: (event.target as HTMLInputElement).valueAsNumber })} /></label>
+  `;
+}
+
+/** From which bend on an edge ends what a click takes. */
+function edges({ store, selecting }: Page) {
+  const { angle } = store.state.select;
+  return html`
+    <label class="field" title="Edges that bend by less are part of a smooth side"><span>Edges from ${angle}°</span>
+      <input type="range" class="plain" min="10" max="80" step="5" .value=${live(String(angle))} aria-valuetext="${angle} degrees" @input=${(event: Event) => selecting.set({ angle: (event.target as HTMLInputElement).valueAsNumber })} /></label>
   `;
 }
 
