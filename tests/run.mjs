@@ -29,6 +29,7 @@ const pieces = {
   'core-release': [['C++ tests, native release', 'wasm/build/release-tests/tests/whittle-core-tests']],
   library: [vitest('Library, command line and page logic, in Node', 'node')],
   chromium: [vitest('The page in Chromium', 'chromium')],
+  figures: [vitest('The papers’ figures, made on the page', 'figures')],
   firefox: [vitest('The page in Firefox', 'firefox')],
 };
 

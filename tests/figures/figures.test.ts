@@ -30,7 +30,8 @@ it.each(figures)(
     expect((await shapedHeadless(recipe, mesh)).equals(shaped.bytes)).toBe(true);
     if (!folder) return;
     writeFileSync(`${folder}/${figure.id}.whittle.json`, recipe.bytes);
-    const clip = { x: 330, y: 80, width: 590, height: 640 };
+    const clip = { x: 110, y: 80, width: 770, height: 660 };
+    await page.keyboard.press('f');
     await page.mouse.move(20, 780);
     await picture(page);
     writeFileSync(`${folder}/${figure.id}.jpg`, await page.screenshot({ clip, type: 'jpeg', quality: 82 }));

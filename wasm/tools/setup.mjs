@@ -22,6 +22,7 @@ const purposes = {
   'core-release': { tools: ['native', 'wasm'], build: [buildReleaseTests] },
   library: { tools: ['wasm'], build: [buildWasm, buildCommandLine] },
   chromium: { tools: ['wasm', 'chromium'], build: [buildWasm] },
+  figures: { tools: ['wasm', 'chromium'], build: [buildWasm] },
   firefox: { tools: ['wasm', 'firefox'], build: [buildWasm] },
 };
 
