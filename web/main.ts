@@ -79,6 +79,7 @@ if (viewer)
     panel: element('.sheet'),
     bar: element('whittle-viewbar'),
     strip: element('whittle-tool-strip'),
+    options: element('whittle-tool-options'),
   });
 listenForDrops(page);
 listenForShortcuts(page, () => element('whittle-help').dispatchEvent(new Event('open')));

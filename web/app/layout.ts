@@ -4,22 +4,25 @@ import type { Viewer } from '../../src/viewer/viewer.ts';
 export function followLayout(
   viewer: Viewer,
   stage: HTMLElement,
-  { panel, bar, strip }: { panel: HTMLElement; bar: HTMLElement; strip: HTMLElement },
+  { panel, bar, strip, options }: Record<'panel' | 'bar' | 'strip' | 'options', HTMLElement>,
 ): void {
   let narrow: boolean | null = null;
   let covered = 0;
   const measure = () => {
     const box = stage.getBoundingClientRect();
     const cover = panel.getBoundingClientRect();
-    stage.style.setProperty('--sheet-height', `${cover.height}px`);
     const isNarrow = matchMedia('(max-width: 760px)').matches;
+    // On a phone the tool's options stand on the sheet, of which only the way home is left then.
+    const sheet = cover.height + (isNarrow ? options.getBoundingClientRect().height : 0);
+    stage.style.setProperty('--home-height', `${cover.height}px`);
+    stage.style.setProperty('--sheet-height', `${sheet}px`);
     const insets = isNarrow
       ? { top: 84, right: 0, bottom: Math.max(0, box.bottom - bar.getBoundingClientRect().top), left: 0 }
       : {
           top: 64,
           right: Math.max(0, box.right - cover.left),
           bottom: 48,
-          left: strip.getBoundingClientRect().right - box.left,
+          left: Math.max(...[strip, options].map((one) => one.getBoundingClientRect().right - box.left)),
         };
     viewer.setInsets(insets);
     viewer.resize(box.width, box.height, devicePixelRatio);
@@ -34,5 +37,6 @@ export function followLayout(
   observer.observe(stage);
   observer.observe(panel);
   observer.observe(strip);
+  observer.observe(options);
   measure();
 }

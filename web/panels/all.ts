@@ -3,6 +3,7 @@ import './legend.ts';
 import './notice.ts';
 import './panel.ts';
 import './status.ts';
+import './tool-options.ts';
 import './tool-strip.ts';
 import './topbar.ts';
 import './viewbar.ts';

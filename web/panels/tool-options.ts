@@ -1,9 +1,10 @@
-import type { TemplateResult } from 'lit';
+import { html, type TemplateResult } from 'lit';
 import type { Page } from '../app/actions.ts';
 import type { Tools } from '../tools/all.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { cubeOptions } from './cube-options.ts';
 import { moveOptions } from './move-options.ts';
+import { PageElement } from './page-element.ts';
 import { paintOptions } from './paint-options.ts';
 import { selectOptions } from './select-options.ts';
 
@@ -15,8 +16,21 @@ const options: Partial<Record<ToolId, (page: Page, tools: Tools) => TemplateResu
   paint: (page, { paint }) => paintOptions(page, paint),
 };
 
-/** What can be set of a tool; null where there is nothing. */
-export function toolOptions(id: ToolId, page: Page): TemplateResult | null {
-  const tools = page.tools.all;
-  return (tools && options[id]?.(page, tools)) ?? null;
+/** What can be set of the tool that is in the hand; hidden where there is nothing. On a phone it stands in for the settings. */
+export class WhittleToolOptions extends PageElement {
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.role = 'region';
+    this.ariaLabel = 'What the tool does';
+  }
+
+  protected override render() {
+    const { tool, project } = this.state;
+    const tools = this.page.tools.all;
+    const template = (project && tools && options[tool]?.(this.page, tools)) ?? null;
+    this.hidden = template === null;
+    return html`${template}`;
+  }
 }
+
+customElements.define('whittle-tool-options', WhittleToolOptions);

@@ -4,17 +4,14 @@ import type { ToolFace } from '../app/tool-belt.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
-import { toolOptions } from './tool-options.ts';
 
 /** The tools, and the options of the one that is in the hand. */
 export class WhittleToolStrip extends PageElement {
   protected override render() {
     const { faces } = this.page.tools;
     if (faces.length < 2 || !this.state.project) return nothing;
-    const options = toolOptions(this.state.tool, this.page);
     return html`
       <div class="strip" role="radiogroup" aria-label="Tools" aria-busy=${this.page.tools.isBusy}>${faces.map((face) => this.#face(face))}</div>
-      ${options ? html`<section class="tool-options" aria-label="What the tool does">${options}</section>` : nothing}
     `;
   }
 
