@@ -9,12 +9,12 @@ import {
   type Group,
   parseGroups,
   parseRecipe,
-  plainArrays,
   type Recipe,
   type RecipeStep,
   readAsset,
   type Surroundings,
   withFileNames,
+  withPlainArrays,
 } from '../recipe/index.ts';
 import type { Beginning } from './begin-project.ts';
 import { freeName } from './free-name.ts';
@@ -68,7 +68,7 @@ export function saveProject(project: Project): ProjectFile {
     ...(recipe.steps.length > 0
       ? { recipe: formatRecipe({ ...recipe, steps: recipe.steps.map(rename) }) }
       : {}),
-    workspace: `${JSON.stringify(workspaceOf(project, rename), plainArrays, 1)}\n`,
+    workspace: `${JSON.stringify(withPlainArrays(workspaceOf(project, rename)), null, 1)}\n`,
   };
 }
 

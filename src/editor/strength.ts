@@ -33,7 +33,10 @@ export function withShares(step: RecipeStep, shares: Float64Array | null, weld: 
   const { [name]: _, ...others } = step.parameters;
   if (!shares) return others;
   const lambda = lambdaOf(step);
-  const own = Float64Array.from(weld.vertexOfPosition, (vertex) => lambda * shares[vertex]!);
+  const { vertexOfPosition } = weld;
+  const own = new Float64Array(vertexOfPosition.length);
+  for (let position = 0; position < own.length; position++)
+    own[position] = lambda * shares[vertexOfPosition[position]!]!;
   remembered.set(own, { lambda, shares });
   return { ...others, [name]: own };
 }

@@ -1,5 +1,6 @@
 // The twin in the core is wasm/core/mesh/extent.cpp, which the unit frame goes by; both share their constants.
 import { type FaceShape, measureFace } from './areas.ts';
+import type { Mesh } from './mesh.ts';
 
 /** A box of positions and the length of its diagonal; of nothing, a diagonal of 0. */
 export interface Extent {
@@ -27,6 +28,15 @@ export function extentOf(positions: Float64Array, triangles: Uint32Array): Exten
     if (near === faces) return extent;
     faces = near;
   }
+}
+
+const diagonals = new WeakMap<Float64Array, number>();
+
+/** The diagonal of a mesh's {@link extentOf}, measured once a mesh: brushes ask for it all the time. */
+export function diagonalOf({ positions, triangles }: Pick<Mesh, 'positions' | 'triangles'>): number {
+  const known = diagonals.get(positions) ?? extentOf(positions, triangles).diagonal;
+  diagonals.set(positions, known);
+  return known;
 }
 
 interface Faces {

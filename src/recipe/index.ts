@@ -1,7 +1,7 @@
 export { fileOfAsset, filesNamedBy, type NamedFile, readAsset, withFileNames } from './assets.ts';
 export { checkGroups, type Group, parseGroups } from './groups.ts';
 export { linkText, recipeOfLink } from './link.ts';
-export { formatRecipe, parseRecipe, plainArrays, type Recipe, type RecipeStep } from './recipe.ts';
+export { formatRecipe, parseRecipe, type Recipe, type RecipeStep, withPlainArrays } from './recipe.ts';
 export {
   type Asset,
   type FlowListener,

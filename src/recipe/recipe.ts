@@ -67,13 +67,17 @@ export function formatRecipe({ steps, groups = [] }: Recipe): string {
 }
 
 function listed(name: string, entries: readonly object[]): string {
-  const lines = entries.map((entry) => `    ${JSON.stringify(entry, plainArrays)}`);
+  const lines = entries.map((entry) => `    ${JSON.stringify(withPlainArrays(entry))}`);
   return `  "${name}": [\n${lines.join(',\n')}\n  ]`;
 }
 
-/** JSON has no typed arrays. */
-export const plainArrays = (_: string, value: unknown): unknown =>
-  value instanceof Float64Array ? [...value] : value;
+/** The value with lists in place of typed arrays, which JSON has not. As a replacer this would be asked for every single number. */
+export function withPlainArrays(value: unknown): unknown {
+  if (value instanceof Float64Array) return Array.from(value);
+  if (Array.isArray(value)) return typeof value[0] === 'number' ? value : value.map(withPlainArrays);
+  if (!isObject(value)) return value;
+  return Object.fromEntries(Object.entries(value).map(([name, part]) => [name, withPlainArrays(part)]));
+}
 
 function parseStep(step: unknown, place: string, index: number): RecipeStep {
   if (!isObject(step)) throw bad(place, 'a step is an object such as {"method": "cubic"}.', index);

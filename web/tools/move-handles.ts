@@ -1,7 +1,7 @@
 import { outlook, targetCenter } from '../../src/editor/handle-groups.ts';
 import { shownPositions } from '../../src/editor/project.ts';
 import { type Affine, translation } from '../../src/mesh/affine.ts';
-import { extentOf } from '../../src/mesh/extent.ts';
+import { diagonalOf } from '../../src/mesh/extent.ts';
 import { subtract, type Vec3 } from '../../src/mesh/vectors.ts';
 import { solvedSourceTriangles, weldOf } from '../../src/mesh/weld.ts';
 import { discAround, inSlices, mirrorMap } from '../../src/selection/index.ts';
@@ -275,8 +275,7 @@ export class MoveHandles implements Tool {
     const { project } = this.#parts.store.state;
     const surface = project && this.#parts.surface.of(project);
     if (!project || !surface) return [hit.corners[hit.weights.indexOf(Math.max(...hit.weights))]!];
-    const { diagonal } = extentOf(project.mesh.positions, project.mesh.triangles);
-    const vertices = discAround(surface, hit, this.options.size * diagonal);
+    const vertices = discAround(surface, hit, this.options.size * diagonalOf(project.mesh));
     const { positionOfVertex } = weldOf(project.mesh);
     return Array.from(vertices, (vertex) => positionOfVertex[vertex]!);
   }

@@ -1,7 +1,7 @@
 import { activeStep, restShapeOf } from '../../src/editor/project.ts';
 import { inSavedSteps } from '../../src/inputs/fields/read-sphere-field.ts';
 import { sampleSphere } from '../../src/inputs/fields/sphere-field.ts';
-import { extentOf } from '../../src/mesh/extent.ts';
+import { diagonalOf } from '../../src/mesh/extent.ts';
 import { add, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import type { SphereField } from '../../src/methods/values/sphere-field.ts';
 import {
@@ -244,8 +244,7 @@ export class PaintStrength implements Tool {
   }
 
   #diagonal(): number {
-    const { mesh } = this.#parts.store.state.project!;
-    return extentOf(mesh.positions, mesh.triangles).diagonal;
+    return diagonalOf(this.#parts.store.state.project!.mesh);
   }
 
   /** Shift smooths, Ctrl takes away what is added and adds what is taken away. */
