@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { block } from '../fixtures/hard-edged.ts';
 import { objText } from '../fixtures/mesh-files.ts';
 import { violations } from './support/axe.ts';
-import { carved, drop } from './support/browser.ts';
+import { carved, drop, picture } from './support/browser.ts';
 import { saved } from './support/downloads.ts';
 import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
@@ -85,8 +85,10 @@ describe('selecting by pointing', () => {
   it('turns the view where a drag begins beside the mesh', async () => {
     const page = await openBlock();
     await pointed(page, right, /smooth patch/);
+    await page.mouse.move(840, 690);
+    const before = await picture(page);
     await dragged(page, [840, 690], [700, 740]);
-    await page.mouse.move(...right);
+    expect(await picture(page)).not.toBe(before);
     expect(await said(page)).toBe('Nothing is selected.');
   });
 });

@@ -1,4 +1,4 @@
-import { add, dot, scale, subtract, type Vec3 } from '../../src/mesh/vectors.ts';
+import { add, dot, length, scale, subtract, type Vec3 } from '../../src/mesh/vectors.ts';
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { PlaneActions, PlaneSheet } from '../app/plane-actions.ts';
@@ -12,16 +12,25 @@ const arrowShare = 0.35;
 /** Pixels from an arrow within which it is taken. */
 const reach = { mouse: 10, pen: 12, touch: 22 } as const;
 
+export interface PlaneParts {
+  readonly interaction: Interaction;
+  readonly planes: PlaneActions;
+  /** Runs something before the next picture. */
+  readonly soon: (run: () => void) => void;
+}
+
 /** Draws the planes that parts are held on, each with an arrow through its middle to be dragged by. */
 export class PlaneGrips {
+  readonly #parts: PlaneParts;
   readonly #interaction: Interaction;
   readonly #planes: PlaneActions;
   #names: string[] = [];
   #shown: readonly unknown[] = [];
 
-  constructor(interaction: Interaction, planes: PlaneActions) {
-    this.#interaction = interaction;
-    this.#planes = planes;
+  constructor(parts: PlaneParts) {
+    this.#parts = parts;
+    this.#interaction = parts.interaction;
+    this.#planes = parts.planes;
   }
 
   show(): void {
@@ -48,7 +57,7 @@ export class PlaneGrips {
     const index = planes.findIndex((plane) => this.#isOn(pointer, this.#planes.sheetOf(plane)));
     if (index < 0) return null;
     const sheet = this.#planes.sheetOf(planes[index]!);
-    return new PlaneDrag(this.#interaction, this.#planes, { index, sheet, pointer });
+    return new PlaneDrag(this.#parts, { index, sheet, pointer });
   }
 
   #draw(sheet: PlaneSheet, index: number): void {
@@ -91,19 +100,18 @@ interface Taken {
 
 /** Moves a plane along its normal, as far as the pointer goes along the arrow. */
 export class PlaneDrag implements SelectGesture {
-  readonly #interaction: Interaction;
-  readonly #planes: PlaneActions;
+  readonly #parts: PlaneParts;
   readonly #taken: Taken;
   readonly #from: number;
   readonly #offset: number;
   #isScheduled = false;
+  #isPreviewed = false;
   #latest: CanvasPointer;
 
-  constructor(interaction: Interaction, planes: PlaneActions, taken: Taken) {
-    this.#interaction = interaction;
-    this.#planes = planes;
+  constructor(parts: PlaneParts, taken: Taken) {
+    this.#parts = parts;
     this.#taken = taken;
-    this.#offset = planes.planes[taken.index]!.offset;
+    this.#offset = parts.planes.planes[taken.index]!.offset;
     this.#latest = taken.pointer;
     this.#from = this.#along(taken.pointer);
   }
@@ -113,35 +121,36 @@ export class PlaneDrag implements SelectGesture {
     this.#latest = pointer;
     if (this.#isScheduled) return;
     this.#isScheduled = true;
-    requestAnimationFrame(() => {
+    this.#parts.soon(() => {
       if (!this.#isScheduled) return;
       this.#isScheduled = false;
-      this.#planes.shift(this.#taken.index, this.#offsetAt(this.#latest), false);
+      this.#isPreviewed = true;
+      this.#parts.planes.shift(this.#taken.index, this.#offsetAt(this.#latest), false);
     });
   }
 
   release(pointer: CanvasPointer): void {
     this.#isScheduled = false;
     const offset = this.#offsetAt(pointer);
-    if (offset !== this.#offset) this.#planes.shift(this.#taken.index, offset, true);
+    if (offset === this.#offset) this.cancel();
+    else this.#parts.planes.shift(this.#taken.index, offset, true);
   }
 
   cancel(): void {
     this.#isScheduled = false;
-    const now = this.#planes.planes[this.#taken.index]?.offset;
-    if (now !== this.#offset) this.#planes.cancel();
+    if (this.#isPreviewed) this.#parts.planes.cancel();
   }
 
   #offsetAt(pointer: CanvasPointer): number {
-    const { normal } = this.#planes.planes[this.#taken.index]!;
+    const { normal } = this.#parts.planes.planes[this.#taken.index]!;
     // The offset is in lengths of the normal, which need not be 1.
-    return this.#offset + (this.#along(pointer) - this.#from) * Math.hypot(...normal);
+    return this.#offset + (this.#along(pointer) - this.#from) * length(normal);
   }
 
   /** The place on the arrow's line that is nearest to the ray through the pointer, from the middle, in file units. */
   #along(pointer: CanvasPointer): number {
     const { center, normal } = this.#taken.sheet;
-    const { origin, direction } = this.#interaction.picking.ray(pointer);
+    const { origin, direction } = this.#parts.interaction.picking.ray(pointer);
     const between = dot(direction, normal);
     const apart = subtract(center, origin);
     const sine = 1 - between * between;

@@ -21,6 +21,8 @@ export interface SelectParts {
   readonly selecting: Selecting;
   readonly planes: PlaneActions;
   readonly interaction: Interaction;
+  /** Runs something before the next picture. */
+  readonly soon: (run: () => void) => void;
 }
 
 interface Press {
@@ -42,6 +44,7 @@ export class SelectTool implements Tool {
   readonly #layers: SelectLayers;
   readonly #ink: SelectInk;
   readonly #planes: PlaneGrips;
+  readonly #soon: (run: () => void) => void;
   #press: Press | null = null;
   /** A plane is being dragged. */
   #drag: PlaneDrag | null = null;
@@ -54,7 +57,8 @@ export class SelectTool implements Tool {
     this.#selecting = parts.selecting;
     this.#interaction = parts.interaction;
     this.#layers = new SelectLayers(parts.interaction.layers);
-    this.#planes = new PlaneGrips(parts.interaction, parts.planes);
+    this.#planes = new PlaneGrips(parts);
+    this.#soon = parts.soon;
     this.#ink = new SelectInk(parts.interaction.viewer.canvas);
     this.#parts = { ...parts, ink: this.#ink, seen: new Seen(parts.interaction.viewer) };
   }
@@ -190,7 +194,7 @@ export class SelectTool implements Tool {
   #drawSoon(): void {
     if (this.#isDrawing) return;
     this.#isDrawing = true;
-    requestAnimationFrame(() => {
+    this.#soon(() => {
       this.#isDrawing = false;
       const { project, select, tool }: PageState = this.#store.state;
       if (project && tool === 'select')
