@@ -1,5 +1,5 @@
 import type { KeptProjects } from './kept-projects.ts';
-import type { Project, Step } from './project.ts';
+import { type Project, type Step, sameParameters } from './project.ts';
 import { saveProject } from './saved-project.ts';
 import type { EditorState } from './state.ts';
 
@@ -118,7 +118,7 @@ function isSameWork(a: Project, b: Project): boolean {
 function isSameStep(a: Step, b: Step): boolean {
   return (
     a.method === b.method &&
-    a.parameters === b.parameters &&
+    sameParameters(a.parameters, b.parameters) &&
     a.isOn === b.isOn &&
     a.remembered === b.remembered
   );

@@ -5,7 +5,8 @@ import { startingRegularizer, startingStrength } from './starting-lambda.ts';
 export const analogy: MethodDescriptor = {
   id: 'analogy',
   title: 'Style',
-  summary: 'Give the mesh the style of another shape: its normals turn to those that the style has there.',
+  intent: 'carve',
+  summary: 'Give the mesh the style of another shape: its sides turn to face as the style’s do.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021',
   shading: 'smooth',
   targets: ({ dynamicTargets }) => ({
@@ -28,6 +29,7 @@ export const analogy: MethodDescriptor = {
       kind: 'choice',
       label: 'Mapping',
       doc: 'How the style is read: the closest normal of a convex shape, or its surface on the sphere (2021, §3.1); auto takes what suits it.',
+      hint: 'How the style is read: by its closest side, or by its whole surface.',
       invalidates: 'weights',
       advanced: true,
       isForLibrary: true,
@@ -39,6 +41,7 @@ export const analogy: MethodDescriptor = {
       kind: 'number',
       label: 'Strength',
       doc: 'λ of Eq. 1: how strongly normals are drawn to the style’s. Finer meshes need less for the same look.',
+      hint: 'How strongly the mesh takes after the style. Finer meshes need less.',
       invalidates: 'weights',
       default: 1,
       min: 0,
@@ -50,8 +53,9 @@ export const analogy: MethodDescriptor = {
     {
       name: 'dynamicTargets',
       kind: 'flag',
-      label: 'Targets follow',
+      label: 'Look again as it goes',
       doc: 'Look the targets up from the output’s normals in every iteration, not from the input’s once; no acceleration then.',
+      hint: 'Looks anew in every iteration where each side should face: bolder, and slower.',
       invalidates: 'weights',
       advanced: true,
       default: false,

@@ -17,10 +17,21 @@ export interface StartingPoint {
   readonly style: GaussMap | null;
 }
 
+/** What a person wants of a mesh, in the order in which the page offers it. */
+export const intents = [
+  { id: 'carve', title: 'Carve' },
+  { id: 'fold', title: 'Fold' },
+  { id: 'move', title: 'Move' },
+] as const;
+
+export type Intent = (typeof intents)[number]['id'];
+
 /** A method as page, recipe, command line and element see it. */
 export interface MethodDescriptor {
   readonly id: string;
   readonly title: string;
+  /** What a person wants who takes it; absent where only other methods need it. */
+  readonly intent?: Intent;
   /** One sentence for the panel and `whittle methods`. */
   readonly summary: string;
   readonly paper: string;

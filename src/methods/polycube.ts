@@ -3,8 +3,9 @@ import { iterations, parts } from './shared-parameters.ts';
 
 export const polycube: MethodDescriptor = {
   id: 'polycube',
-  title: 'PolyCube',
-  summary: 'Turn every face to the closest of a few directions and let the details go: a mesh of boxes.',
+  title: 'Blocks',
+  intent: 'carve',
+  summary: 'Turn every side to the closest of a few directions and let the details go: a mesh of boxes.',
   paper: 'Normal-Driven Spherical Shape Analogies, 2021, §5.1',
   shading: 'flat',
   targets: () => ({ style: 'directions', lookedUpFrom: 'output' }),
@@ -23,6 +24,7 @@ export const polycube: MethodDescriptor = {
       kind: 'number',
       label: 'Pace',
       doc: 'λ of Eq. 3: how far faces turn in one iteration. Each starts anew from what the last one left; slower keeps triangles better.',
+      hint: 'How far sides turn in one iteration. Slower keeps triangles better.',
       invalidates: 'targets',
       default: 1,
       min: 0,
@@ -35,6 +37,7 @@ export const polycube: MethodDescriptor = {
       kind: 'number',
       label: 'Smoothing',
       doc: 'How far the vertices of triangles that became bad move to the mean of their neighbours in one iteration (2021, §5.1); it shrinks a little.',
+      hint: 'Evens out triangles that became bad. It shrinks the mesh a little.',
       invalidates: 'targets',
       advanced: true,
       default: 0.2,

@@ -26,34 +26,40 @@ export const planes: PlanesParameter = {
 export const parts: ChoiceParameter = {
   name: 'parts',
   kind: 'choice',
-  label: 'Parts',
+  label: 'Parts that touch',
   doc: 'Whether parts that touch or cross each other stay in touch, or each is shaped as if it were alone.',
+  hint: 'Whether parts that touch stay in touch, or each is shaped as if it were alone.',
   invalidates: 'system',
   advanced: true,
   default: 'together',
   choices: ['together', 'free'],
+  labels: { together: 'stay together', free: 'each alone' },
 };
 
 const acceleration: ChoiceParameter = {
   name: 'acceleration',
   kind: 'choice',
-  label: 'Acceleration',
+  label: 'Speed-up',
   doc: 'How each iteration builds on those before: Nesterov’s extrapolation, relaxation by 1.8, or not at all as in the papers.',
+  hint: 'How each iteration builds on those before: boldly, gently, or not at all as in the papers.',
   invalidates: 'targets',
   advanced: true,
   default: 'nesterov',
   choices: ['nesterov', 'relaxed', 'none'],
+  labels: { nesterov: 'bold', relaxed: 'gentle', none: 'none' },
 };
 
 const stopOn: ChoiceParameter = {
   name: 'stopOn',
   kind: 'choice',
-  label: 'Stop on',
+  label: 'Stop by',
   doc: 'What the tolerance is held against: the longest move as a share of the way so far (2019, §3.1), or the energy’s relative decrease.',
+  hint: 'Whether the run ends when the mesh hardly moves, or when its energy hardly falls.',
   invalidates: 'targets',
   advanced: true,
   default: 'displacement',
   choices: ['displacement', 'energy'],
+  labels: { displacement: 'movement', energy: 'energy' },
 };
 
 const tolerance: NumberParameter = {
@@ -61,6 +67,7 @@ const tolerance: NumberParameter = {
   kind: 'number',
   label: 'Tolerance',
   doc: 'Stop when an iteration changes less than this share of what “stop on” names.',
+  hint: 'The run ends when an iteration changes less than this share. Smaller is finer and slower.',
   invalidates: 'targets',
   advanced: true,
   default: 3e-3,
@@ -74,6 +81,7 @@ const maxIterations: NumberParameter = {
   kind: 'integer',
   label: 'Iterations at most',
   doc: 'Stop after this many local/global iterations even if the tolerance is not met.',
+  hint: 'The run ends after so many iterations at the latest.',
   invalidates: 'targets',
   advanced: true,
   default: 1000,
@@ -89,6 +97,7 @@ export function iterations(usual: number): NumberParameter {
     kind: 'integer',
     label: 'Iterations',
     doc: 'Stop after this many; targets follow the output, and the shape goes on changing a little.',
+    hint: 'The run ends after so many iterations; the shape would go on changing a little.',
     invalidates: 'targets',
     advanced: true,
     default: usual,
@@ -112,12 +121,13 @@ export const shared: readonly ParameterDescriptor[] = [
 export const regularizer: ChoiceParameter = {
   name: 'regularizer',
   kind: 'choice',
-  label: 'Keeps',
+  label: 'Edges',
   doc: 'What details keep: arap their shape around each vertex, farap that of each triangle while edges bend, acap their angles while sizes may change (2021, §4.1).',
+  hint: 'Soft keeps details rounded, crisp lets edges fold sharply, elastic lets parts grow and shrink.',
   invalidates: 'all',
-  advanced: true,
   default: 'arap',
   choices: ['arap', 'farap', 'acap'],
+  labels: { arap: 'Soft', farap: 'Crisp', acap: 'Elastic' },
 };
 
 /** @param max the highest λ of a vertex, as of the method's own λ */

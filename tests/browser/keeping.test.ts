@@ -64,13 +64,7 @@ async function strengthen(): Promise<void> {
 
 /** Waits until nothing would be lost. */
 async function kept(): Promise<void> {
-  await page.waitForFunction(
-    () =>
-      new Promise<boolean>((resolve) => {
-        const event = new Event('beforeunload', { cancelable: true });
-        resolve(dispatchEvent(event));
-      }),
-  );
+  await page.waitForFunction(() => dispatchEvent(new Event('beforeunload', { cancelable: true })));
 }
 
 async function paint(): Promise<void> {
@@ -89,10 +83,10 @@ describe('a project file', () => {
   it('holds a painted ball and what is switched off, opens again, and gives the same bytes everywhere', async () => {
     page = await pages.open();
     await page.getByRole('button', { name: 'Add a step' }).click();
-    await page.getByRole('menuitem', { name: /^Developable/ }).click();
+    await page.getByRole('menuitem', { name: /^Paper/ }).click();
     await page.waitForSelector('.stack [data-step="2"]');
     await carved(page);
-    await page.getByLabel('Developable is on').uncheck();
+    await page.getByLabel('Paper is on').uncheck();
     await carved(page);
     await page.locator('[data-step="1"] .step-name').click();
     await paint();
@@ -134,7 +128,7 @@ describe('a recipe file', () => {
     await drop(page, '#canvas', 'blocks.whittle.json', recipe(steps));
     await entered(page, 'Recipe blocks.whittle.json');
     expect(await notice()).toBe('Took the recipe blocks.whittle.json. Its 2 steps are now on rabbit.glb.');
-    expect(await page.locator('.stack .step-name').allInnerTexts()).toEqual(['1PolyCube: cube', '2Cubic']);
+    expect(await page.locator('.stack .step-name').allInnerTexts()).toEqual(['1Blocks: cube', '2Cubic']);
     await act('undo').click();
     expect(await picture(page)).toBe(before);
   });
@@ -242,6 +236,9 @@ describe('work', () => {
     await page.evaluate(() => Object.assign(globalThis, { isFull: false }));
     await page.locator('input[type=range]').focus();
     await page.keyboard.press('Home');
+    await page.waitForFunction(
+      () => document.querySelector<HTMLInputElement>('.slider .number')?.valueAsNumber === 0,
+    );
     await kept();
     const closed = page.waitForEvent('close');
     await page.close({ runBeforeUnload: true });
@@ -254,7 +251,7 @@ describe('a link', () => {
   it('leads to the same shape', async () => {
     page = await pages.open();
     await page.getByRole('button', { name: 'Add a step' }).click();
-    await page.getByRole('menuitem', { name: /^Developable/ }).click();
+    await page.getByRole('menuitem', { name: /^Paper/ }).click();
     await page.waitForSelector('.stack [data-step="2"]');
     await carved(page);
     const link = await copied('Copy a link');

@@ -17,7 +17,7 @@ async function choose(title: string, entry = title): Promise<void> {
 it('makes boxes of a mesh, by the directions of a shape', async () => {
   page = await pages.open();
   const cubic = await picture(page);
-  await choose('PolyCube', 'Cube');
+  await choose('Blocks', 'Cube');
   expect(await page.locator('.tile[aria-selected=true]').getAttribute('title')).toBe('Cube');
   expect(await page.locator('.tile[data-style^=meshes]').count()).toBe(0);
   expect(await page.locator('[data-act=paint]').count()).toBe(0);
@@ -35,7 +35,7 @@ it('makes boxes of a mesh, by the directions of a shape', async () => {
 
 it('folds a mesh, and shades it by faces unless told otherwise', async () => {
   page = await pages.open();
-  await choose('Developable');
+  await choose('Paper');
   expect(await shading()).toBe('flat');
   const half = await picture(page);
   const range = page.getByLabel('Creases', { exact: true });
@@ -46,6 +46,6 @@ it('folds a mesh, and shades it by faces unless told otherwise', async () => {
   await choose('Cubic');
   expect(await shading()).toBe('smooth');
   await page.locator('input[name=shading][value=wire]').check({ force: true });
-  await choose('Developable');
+  await choose('Paper');
   expect(await shading()).toBe('wire');
 });

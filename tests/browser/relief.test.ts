@@ -85,7 +85,7 @@ it('takes a dropped normal map anywhere, a JPEG as height, and refuses what is n
   await entered(page, 'waves');
   await chosen('waves');
   // Only what is one's own can be read in several ways.
-  await page.locator('.more summary').click();
+  await page.locator('.solver summary').click();
   const before = await picture(page);
   await page.getByLabel('Green points').selectOption('down');
   await entered(page, 'Green points');

@@ -31,8 +31,8 @@ it('is built, switched, reordered, undone, and saved as a recipe that gives the 
   page = await pages.open();
   const single = await picture(page);
   await add('Style', 2);
-  await add('Developable', 3);
-  expect(await rows()).toEqual(['1Cubic', '2Style: octahedron', '3Developable']);
+  await add('Paper', 3);
+  expect(await rows()).toEqual(['1Cubic', '2Style: octahedron', '3Paper']);
   const whole = await picture(page);
 
   await page.getByLabel('Style: octahedron is on').uncheck();
@@ -44,7 +44,7 @@ it('is built, switched, reordered, undone, and saved as a recipe that gives the 
   await settled(3);
   await page.locator('[data-act=step-up]').click();
   await settled(3);
-  expect(await rows()).toEqual(['1Developable', '2Cubic', '3Style: octahedron']);
+  expect(await rows()).toEqual(['1Paper', '2Cubic', '3Style: octahedron']);
   expect(await picture(page)).not.toBe(without);
 
   const recipe = await exported(page, 'Recipe');
@@ -60,7 +60,7 @@ it('is built, switched, reordered, undone, and saved as a recipe that gives the 
 
 it('goes back into a step, edits it alone and shows the whole again', async () => {
   page = await pages.open();
-  await add('Developable', 2);
+  await add('Paper', 2);
   const before = await picture(page);
   await page.locator('[data-step="1"] .step-name').click();
   expect(await page.locator('#parameter-lambda').count()).toBe(1);
@@ -78,7 +78,7 @@ it.runIf(canEmulate).each([
   ['on a phone', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }],
 ] as const)('passes axe %s', async (_, options) => {
   page = await pages.open(options);
-  await add('PolyCube', 2);
+  await add('Blocks', 2);
   expect(await violations(page)).toEqual([]);
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);

@@ -50,7 +50,7 @@ describe('choosing a style', () => {
     expect(regularizer()).toBe('farap');
     await styles.choose(entry('terraced'));
     expect(regularizer()).toBe('arap');
-    set({ regularizer: 'acap' }, 'Keeps');
+    set({ regularizer: 'acap' }, 'Edges');
     await styles.choose(entry('cube'));
     expect(regularizer()).toBe('acap');
     expect(startingRegularizer({ typicalPart: 1800 }, faceted)).toBe('arap');

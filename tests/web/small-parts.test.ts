@@ -1,3 +1,4 @@
+import { existsSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { activeStep, type Project } from '../../src/editor/project.ts';
 import { recipeOf } from '../../src/editor/saved-recipe.ts';
@@ -9,7 +10,7 @@ import type { NumberParameter } from '../../src/methods/values/number.ts';
 import { parseRecipe } from '../../src/recipe/index.ts';
 import { chooseMesh } from '../../web/app/choose-mesh.ts';
 import { command, exportName, ownFormat } from '../../web/app/export.ts';
-import { offeredMethods } from '../../web/app/offered-methods.ts';
+import { editableParameters, methodsByIntent, offeredMethods } from '../../web/app/offered-methods.ts';
 import { fromTravel, toTravel, travel } from '../../web/panels/slider-scale.ts';
 import { curve } from '../../web/panels/sparkline.ts';
 import { plainReport } from '../fixtures/fake-engine.ts';
@@ -25,14 +26,26 @@ const project = {
 const stack = { ...project, steps: [step, newStep({ method: 'developable', parameters: {} })] };
 
 describe('what is offered', () => {
-  it('leaves out methods with nothing to set here', () => {
-    expect(offeredMethods().map(({ id }) => id)).toEqual([
-      'cubic',
-      'analogy',
-      'polycube',
-      'developable',
-      'normalmap',
+  it('comes by what a person wants, without methods that only others need', () => {
+    expect(methodsByIntent().map(({ title, methods }) => [title, ...methods.map(({ id }) => id)])).toEqual([
+      ['Carve', 'cubic', 'analogy', 'polycube', 'normalmap'],
+      ['Fold', 'developable'],
+      ['Move', 'arap'],
     ]);
+  });
+
+  it('is told in words of its own wherever there is a control, and by a picture', () => {
+    for (const method of offeredMethods()) {
+      for (const parameter of editableParameters(method, true)) {
+        expect(parameter.hint, `${method.id} ${parameter.name}`).not.toMatch(
+          /[λα§]|Eq\.|normals? (are|is) drawn/,
+        );
+        expect(parameter.hint?.length, `${method.id} ${parameter.name}`).toBeGreaterThan(20);
+        if (parameter.kind === 'choice' && parameter.labels)
+          expect(Object.keys(parameter.labels)).toEqual(parameter.choices);
+      }
+      expect(existsSync(`public/thumbnails/methods/${method.id}.webp`), method.id).toBe(true);
+    }
   });
 
   it('starts finer meshes with less', () => {

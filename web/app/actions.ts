@@ -61,6 +61,7 @@ export class Page {
   readonly saving: SavingActions;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
+  #openings = 0;
 
   constructor(parts: PageParts) {
     const { store, editor, styles, images, painter, handles, cube, planes, strength, selecting } = parts;
@@ -81,10 +82,18 @@ export class Page {
     this.#viewer = viewer;
   }
 
+  /** Whether a person, or the page, has asked for a mesh. */
+  get hasOpened(): boolean {
+    return this.#openings > 0;
+  }
+
   async openSample(sample: Sample, begin: Beginning = {}): Promise<void> {
+    const turn = ++this.#openings;
     await this.#attempt(async () => {
       const address = sampleAddress(sample);
-      await this.editor.open(await fetchSample(sample), sample.file, { address, ...begin });
+      const bytes = await fetchSample(sample);
+      // Another one was asked for meanwhile.
+      if (turn === this.#openings) await this.editor.open(bytes, sample.file, { address, ...begin });
     });
   }
 
@@ -111,6 +120,7 @@ export class Page {
     if (takesImages && files.length > 0 && files.every(({ name }) => imageNames.test(name)))
       return this.images.add(files);
     if (files.length === 1 && /\.png$/i.test(files[0]!.name)) return this.addStyles(files);
+    this.#openings++;
     await this.#attempt(async () => {
       const project = await projectAmong(files);
       if (project) return this.saving.openProject(project.bytes, project.name);

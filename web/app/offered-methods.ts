@@ -1,7 +1,7 @@
 import { imageParameter, styleParameter } from '../../src/editor/starting-step.ts';
 import { isPlain } from '../../src/inputs/starting-values.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
-import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
+import { intents, type MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { methods } from '../../src/methods/registry.ts';
 import type { ChoiceParameter } from '../../src/methods/values/choice.ts';
 import type { FlagParameter } from '../../src/methods/values/flag.ts';
@@ -22,9 +22,19 @@ export function editableParameters(
   return method.parameters.filter(isPlain).filter((one) => hasReadings || !isReading(one));
 }
 
-/** Methods that a person can do something with here: at least one plain control, not only fine-tuning. */
+/** Methods that a person may want, in the order of what they want. */
 export function offeredMethods(all: readonly MethodDescriptor[] = methods): readonly MethodDescriptor[] {
-  return all.filter((method) => editableParameters(method).some(({ advanced }) => !advanced));
+  return intents.flatMap(({ id }) => all.filter(({ intent }) => intent === id));
+}
+
+/** The methods by what a person wants; a want that no method serves is left out. */
+export function methodsByIntent(): readonly {
+  readonly title: string;
+  readonly methods: readonly MethodDescriptor[];
+}[] {
+  return intents
+    .map(({ id, title }) => ({ title, methods: methods.filter(({ intent }) => intent === id) }))
+    .filter((group) => group.methods.length > 0);
 }
 
 /** Whether a method can borrow from such a style. */

@@ -20,9 +20,10 @@ export async function begin(page: Page): Promise<void> {
   page.saving.onSaved = (project) => autosave.noteSaved(project);
   guard(autosave);
   addEventListener('hashchange', () => void openLink(page, linkIn(location)));
-  if (kept) await restore(page, autosave, kept);
-  else if (asked) await openLink(page, asked);
-  if (!page.store.state.project) await page.openSample(samples[0]!);
+  // Who is quick has chosen something already.
+  if (!page.hasOpened && kept) await restore(page, autosave, kept);
+  else if (!page.hasOpened && asked) await openLink(page, asked);
+  if (!page.hasOpened && !page.store.state.project) await page.openSample(samples[0]!);
   void projects.trim(isOpen).catch(() => {});
 }
 
@@ -95,19 +96,21 @@ function guard(autosave: Autosave): void {
   });
 }
 
-/** Says that nothing is kept, when nothing else is being said. */
+/** Says that nothing is kept, when nothing else is being said and until the person has read it: work that goes on says it again. */
 function tellOnce(page: Page): void {
   const { store, saving } = page;
   const text =
     'This browser keeps nothing for this page, as in a private window or on a full disk. Save the project before you leave.';
   const action = { label: 'Save it', run: () => void saving.saveProject() };
-  const tell = () => store.set({ notice: { tone: 'note', text, action } });
-  if (!store.state.notice) tell();
-  else {
-    const off = store.subscribe(({ notice }) => {
-      if (notice) return;
-      off();
-      tell();
-    });
-  }
+  const ours = { tone: 'note', text, action } as const;
+  let isTold = false;
+  let seen = store.state.project;
+  const off = store.subscribe(({ notice, project }) => {
+    // A person who takes the notice away changes nothing else.
+    if (!notice && isTold && project === seen) off();
+    else if (!notice) store.set({ notice: ours });
+    else if (notice === ours) isTold = true;
+    seen = project;
+  });
+  if (!store.state.notice) store.set({ notice: ours });
 }

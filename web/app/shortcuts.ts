@@ -25,7 +25,7 @@ export const shortcuts: readonly Shortcut[] = [
   { key: '2', label: '2', does: 'Flat shading', run: (page) => page.look({ shading: 'flat' }) },
   { key: '3', label: '3', does: 'Wireframe', run: (page) => page.look({ shading: 'wire' }) },
   { key: 'f', label: 'F', does: 'Fit the view', run: (page) => page.fit() },
-  { key: 'r', label: 'R', does: 'Reset the style', run: (page) => void page.editor.reset() },
+  { key: 'r', label: 'R', does: 'Reset the method', run: (page) => void page.editor.reset() },
   { key: 'p', label: 'P', does: 'Save a picture', run: (page) => void page.saveSnapshot() },
 ];
 

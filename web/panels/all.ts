@@ -1,4 +1,5 @@
 import './help.ts';
+import './hint.ts';
 import './legend.ts';
 import './notice.ts';
 import './panel.ts';

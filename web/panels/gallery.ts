@@ -12,8 +12,16 @@ import './flow-view.ts';
 
 /** The styles as little pictures. Arrow keys walk, Enter takes; a click restyles the mesh at once. */
 export class WhittleGallery extends PageElement {
+  static override properties = { open: { state: true } };
+  /** All styles are to be seen, not only those around the chosen one. On a phone they are a strip, and all there. */
+  declare open: boolean;
   readonly #thumbnails = new Thumbnails();
   #shownId = '';
+
+  constructor() {
+    super();
+    this.open = false;
+  }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
@@ -35,13 +43,14 @@ export class WhittleGallery extends PageElement {
     const painting = this.state.gallery.painting && !this.#onlyShapes;
     const offered = groups.filter(({ id }) => id === 'shapes' || !this.#onlyShapes);
     return html`
-      <div class="gallery" role="listbox" ?hidden=${painting} aria-label="Styles" aria-busy=${pending !== null} @keydown=${this.#key}>
+      <div class="gallery" role="listbox" ?hidden=${painting} ?data-open=${this.open} aria-label="Styles" aria-busy=${pending !== null} @keydown=${this.#key}>
         ${offered.map(({ id, title }) => this.#group(id, title, entries))}
       </div>
       ${offer ? this.#offer(offer.why) : nothing}
       ${flow ? html`<whittle-flow .flow=${flow}></whittle-flow>` : nothing}
       <div class="gallery-tools">
-        <button type="button" class="button small" data-act="add-style" title="A mesh, or a PNG of a ball that holds normals; dropping it here does the same" @click=${() => this.page.pickStyle()}>${icon('add')}Add a style</button>
+        <button type="button" class="button small show-all" data-act="all-styles" aria-expanded=${this.open} ?hidden=${painting} @click=${() => this.#fold(!this.open)}>${icon(this.open ? 'up' : 'down')}${this.open ? 'Fewer' : 'All'}</button>
+        <button type="button" class="button small" data-act="add-style" title="Add a mesh, or a PNG of a ball that holds normals; dropping it here does the same" @click=${() => this.page.pickStyle()}>${icon('add')}Add</button>
         ${this.#onlyShapes ? nothing : html`<button type="button" class="button small" data-act="paint" aria-pressed=${painting} title="Paint normals on a ball" @click=${() => this.page.painter.toggle()}>${icon('brush')}Paint</button>`}
       </div>
     `;
@@ -53,12 +62,26 @@ export class WhittleGallery extends PageElement {
 
   protected override updated(): void {
     const chosen = this.page.styles.chosenId;
-    if (chosen !== this.#shownId)
-      this.querySelector(`[data-style="${chosen}"]`)?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    if (chosen !== this.#shownId) this.#reveal(chosen);
     this.#shownId = chosen;
     this.#thumbnails.look(this.querySelectorAll<HTMLCanvasElement>('.tile canvas'), (id) =>
       this.state.gallery.entries.find((entry) => entry.id === id),
     );
+  }
+
+  #fold(open: boolean): void {
+    this.open = open;
+    void this.updateComplete.then(() => this.#reveal(this.page.styles.chosenId));
+  }
+
+  /** Brings a tile into the gallery's own view; the panel around it stays where it is. */
+  #reveal(id: string): void {
+    const gallery = this.querySelector('.gallery');
+    const tile = this.querySelector(`[data-style="${id}"]`);
+    if (!gallery || !tile) return;
+    const [outer, inner] = [gallery.getBoundingClientRect(), tile.getBoundingClientRect()];
+    gallery.scrollTop += overhang(inner.top - groupTitleHeight, inner.bottom, outer.top, outer.bottom);
+    gallery.scrollLeft += overhang(inner.left, inner.right, outer.left, outer.right);
   }
 
   #group(group: StyleGroup, title: string, entries: readonly StyleEntry[]) {
@@ -107,10 +130,19 @@ export class WhittleGallery extends PageElement {
     if (to === null) return;
     event.preventDefault();
     event.stopPropagation();
+    this.open = true;
     tiles[here]!.tabIndex = -1;
     tiles[to]!.tabIndex = 0;
     tiles[to]!.focus();
   };
+}
+
+const groupTitleHeight = 30;
+
+/** How far a stretch has to move to lie within another. */
+function overhang(from: number, to: number, outerFrom: number, outerTo: number): number {
+  if (from < outerFrom) return from - outerFrom;
+  return Math.max(0, to - outerTo);
 }
 
 /** Long names of solids may break before their last part. */

@@ -4,6 +4,8 @@ export interface MenuItem {
   readonly label: string;
   readonly about?: string;
   readonly picture?: string;
+  /** A line is drawn above it. */
+  readonly isFirst?: boolean;
   readonly run: () => void;
 }
 
@@ -46,7 +48,7 @@ export class WhittleMenu extends LitElement {
   }
 
   readonly #item = (item: MenuItem) => html`
-    <button type="button" role="menuitem" tabindex="-1" @click=${() => this.#choose(item)}>
+    <button type="button" role="menuitem" tabindex="-1" ?data-first=${item.isFirst} @click=${() => this.#choose(item)}>
       ${item.picture ? html`<img src=${item.picture} alt="" width="52" height="52" />` : nothing}
       <span><b>${item.label}</b>${item.about ? html`<small>${item.about}</small>` : nothing}</span>
     </button>

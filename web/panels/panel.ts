@@ -1,5 +1,4 @@
 import { html, nothing } from 'lit';
-import { live } from 'lit/directives/live.js';
 import { activeStep, type Project, type Step } from '../../src/editor/project.ts';
 import { imageParameter, styleParameter } from '../../src/editor/starting-step.ts';
 import { formats } from '../../src/io/index.ts';
@@ -15,12 +14,14 @@ import {
 } from '../app/offered-methods.ts';
 import { icon } from './icons.ts';
 import { measures } from './measures.ts';
+import { methodPicture } from './method-picker.ts';
 import { PageElement } from './page-element.ts';
 import type { ParameterChange } from './parameter-control.ts';
 import { meshReport } from './report.ts';
 import './gallery.ts';
 import './images.ts';
 import './menu.ts';
+
 import './painter.ts';
 import './parameter-control.ts';
 import './stack.ts';
@@ -30,48 +31,57 @@ export class WhittlePanel extends PageElement {
   protected override render() {
     const { project } = this.state;
     const step = project && activeStep(project);
-    const method = step ? findMethod(step.method) : offeredMethods()[0];
-    if (!method) return nothing;
-    const style = styleParameter(method);
+    const method = step && findMethod(step.method);
     return html`
-      ${project ? html`<whittle-stack .page=${this.page}></whittle-stack>` : nothing}
-      ${this.#heading(method)}
-      ${style && project ? this.#styles(style) : nothing}
-      ${imageParameter(method) && project ? html`<whittle-images data-takes-images .page=${this.page}></whittle-images>` : nothing}
-      <div class="controls" @parameter=${this.#change}>${step ? this.#controls(method, step) : nothing}</div>
-      ${project ? this.#addition(project) : nothing}
+      <div class="settings">
+        ${project ? html`<whittle-stack .page=${this.page}></whittle-stack>` : nothing}
+        <whittle-method-picker .page=${this.page}></whittle-method-picker>
+        ${method ? this.#settings(method, step) : nothing}
+        ${project ? this.#rest(project) : nothing}
+      </div>
       ${project ? this.#home(project) : nothing}
-      ${project ? measures(this.page, this.state) : nothing}
-      ${project ? meshReport(project) : nothing}
     `;
   }
 
-  #heading(method: MethodDescriptor) {
-    const offered = offeredMethods();
+  /** What the method borrows, its few controls, and the solver's behind a fold. */
+  #settings(method: MethodDescriptor, step: Step) {
+    const style = styleParameter(method);
+    const editable = editableParameters(method, this.page.images.chosen.image !== undefined);
+    const control = (parameter: EditableParameter, explained: boolean) =>
+      html`<whittle-parameter .parameter=${parameter} .value=${step.parameters[parameter.name]} .explained=${explained}></whittle-parameter>`;
+    const solver = editable.filter(({ advanced }) => advanced);
+    const plain = editable.filter(({ advanced }) => !advanced);
+    // What is dragged comes first: it should not be scrolled for.
+    const sliders = plain.filter((parameter) => 'slider' in parameter);
+    const others = plain.filter((parameter) => !sliders.includes(parameter));
     return html`
-      <header class="method">
-        ${offered.length > 1 ? this.#switch(method, offered) : html`<h2>${method.title}</h2>`}
-        ${styleParameter(method) ? nothing : html`<p title=${method.paper}>${method.summary}</p>`}
-      </header>
+      <div class="controls" @parameter=${this.#change}>${sliders.map((parameter) => control(parameter, false))}</div>
+      ${style ? this.#styles(style) : nothing}
+      ${imageParameter(method) ? html`<whittle-images data-takes-images .page=${this.page}></whittle-images>` : nothing}
+      ${this.#byHand(method)}
+      <div class="controls" @parameter=${this.#change}>${others.map((parameter) => control(parameter, false))}</div>
+      <details class="solver" @parameter=${this.#change}>
+        <summary>Solver</summary>
+        ${solver.map((parameter) => control(parameter, true))}
+        <button type="button" class="button small" data-act="reset" title="All as it was at first (R)" @click=${() => void this.page.editor.reset()}>${icon('reset')}Reset ${method.title}</button>
+      </details>
     `;
   }
 
-  #switch(method: MethodDescriptor, offered: readonly MethodDescriptor[]) {
-    return html`
-      <fieldset class="switch">
-        <legend class="hidden">What to do</legend>
-        ${offered.map((one) => this.#face(one, one === method))}
-      </fieldset>`;
+  /** What is moved by hand needs the tool for it. */
+  #byHand(method: MethodDescriptor) {
+    const face = this.page.tools.faces.find(({ id }) => id === 'move');
+    if (!face || method.intent !== 'move' || this.state.tool === face.id) return nothing;
+    return html`<button type="button" class="button small" data-act="take-move" title=${face.does} @click=${() => this.page.tools.choose(face.id)}>${icon(face.id)}Hold and pull parts</button>`;
   }
 
-  /** A method that this mesh is not made for can be asked why. */
-  #face(method: MethodDescriptor, isChosen: boolean) {
-    const { project } = this.state;
-    const why = project ? obstacle(method, project.mesh) : undefined;
+  /** What is there for every method. */
+  #rest(project: Project) {
     return html`
-      <label title=${why ?? nothing}>
-        <input type="radio" name="method" .value=${method.id} .checked=${live(isChosen)} ?data-obstacle=${why !== undefined} @change=${this.#choose} /><span class="switch-face">${method.title}</span>
-      </label>`;
+      ${this.#addition(project)}
+      ${measures(this.page, this.state)}
+      ${meshReport(project)}
+    `;
   }
 
   #styles({ mapping }: StyleParameter) {
@@ -83,32 +93,14 @@ export class WhittlePanel extends PageElement {
       </div>`;
   }
 
-  #controls(method: MethodDescriptor, step: Step) {
-    const editable = editableParameters(method, this.page.images.chosen.image !== undefined);
-    const plain = editable.filter(({ advanced }) => !advanced);
-    const advanced = editable.filter((parameter) => parameter.advanced);
-    const control = (parameter: EditableParameter) =>
-      html`<whittle-parameter .parameter=${parameter} .value=${step.parameters[parameter.name]}></whittle-parameter>`;
-    return html`
-      ${plain.map(control)}
-      ${
-        advanced.length > 0
-          ? html`<details class="more"><summary>More</summary>${advanced.map(control)}
-              <button type="button" class="button small" data-act="reset" title="Reset the style (R)" @click=${() => void this.page.editor.reset()}>${icon('reset')}Reset the style</button>
-            </details>`
-          : nothing
-      }
-    `;
-  }
-
   /** The way to another step, for what the mesh is made for. */
   #addition({ mesh }: Project) {
     const items = offeredMethods()
       .filter((method) => obstacle(method, mesh) === undefined)
-      .map(({ id, title, summary }) => ({
-        label: title,
-        about: summary,
-        run: () => void this.page.styles.addStep(id),
+      .map((method) => ({
+        label: method.title,
+        picture: methodPicture(method),
+        run: () => void this.page.styles.addStep(method.id),
       }));
     return html`<whittle-menu class="add-step" label="Add a step" .face=${html`${icon('add')}<span>Add a step</span>`} .items=${items}></whittle-menu>`;
   }
@@ -122,10 +114,15 @@ export class WhittlePanel extends PageElement {
     }));
     const { saving } = this.page;
     const work = [
-      { label: 'Project', about: 'mesh and steps in one file', run: () => void saving.saveProject() },
+      {
+        label: 'Project',
+        about: 'mesh and steps in one',
+        isFirst: true,
+        run: () => void saving.saveProject(),
+      },
       { label: 'Recipe', about: 'the steps, for other meshes', run: () => saving.saveRecipe() },
       { label: 'Copy a link', about: 'to this shape', run: () => void saving.copyLink() },
-      { label: 'Copy as a command', about: 'npx whittle …', run: () => void saving.copyCommand() },
+      { label: 'Copy as a command', about: 'for a terminal', run: () => void saving.copyCommand() },
     ];
     return html`
       <div class="home">
@@ -136,11 +133,6 @@ export class WhittlePanel extends PageElement {
       </div>
     `;
   }
-
-  readonly #choose = (event: Event): void => {
-    this.page.chooseMethod((event.target as HTMLInputElement).value);
-    this.requestUpdate(); // it may have stayed with what it was
-  };
 
   readonly #change = (event: CustomEvent<ParameterChange>): void => {
     const { project } = this.state;

@@ -11,8 +11,10 @@ export interface Parameter {
   readonly label: string;
   /** One line of documentation, with the paper's section where there is one. */
   readonly doc: string;
+  /** What the page says of it, in a person's words; {@link doc} where it has no control there. */
+  readonly hint?: string;
   readonly invalidates: Invalidates;
-  /** Shown behind "More" in the panel. */
+  /** Among the settings of the solver, which the panel folds away. */
   readonly advanced?: boolean;
   /** Says how another parameter's value is made out; the core does not know it. */
   readonly isForLibrary?: boolean;

@@ -125,8 +125,8 @@ export function lambda(page: Page): Promise<number> {
  * left: no tolerance ends it, and its shape does not come to rest within any number of iterations that a test could wait for.
  */
 export async function solveForever(page: Page): Promise<void> {
-  await page.locator('.switch').getByText('PolyCube', { exact: true }).click();
-  await page.locator('.more summary').click();
+  await page.locator('.switch').getByText('Blocks', { exact: true }).click();
+  await page.locator('.solver summary').click();
   const iterations = page.getByLabel('Iterations', { exact: true });
   await iterations.fill('1000000');
   await iterations.press('Enter');
