@@ -1,15 +1,13 @@
 import { activeStep, restShapeOf } from '../../src/editor/project.ts';
-import { inSavedSteps } from '../../src/inputs/fields/read-sphere-field.ts';
 import { sampleSphere } from '../../src/inputs/fields/sphere-field.ts';
 import { diagonalOf } from '../../src/mesh/extent.ts';
-import { add, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
+import type { Mesh } from '../../src/mesh/mesh.ts';
+import { add, scale, type Vec3 } from '../../src/mesh/vectors.ts';
 import type { SphereField } from '../../src/methods/values/sphere-field.ts';
 import {
   type FieldBrush,
   type FieldOperation,
   FieldStroke,
-  SphereCanvas,
-  Stroke,
   SurfaceCanvas,
   unpainted,
 } from '../../src/painting/index.ts';
@@ -20,6 +18,7 @@ import type { Hit } from '../../src/viewer/picking/picking.ts';
 import type { PageStore } from '../app/page-state.ts';
 import type { Selectable } from '../app/selectable.ts';
 import type { StrengthActions } from '../app/strength-actions.ts';
+import { BallBrush, evenField } from './ball-brush.ts';
 import { across, brushRing } from './brush-ring.ts';
 import { StrengthView } from './strength-view.ts';
 import type { Tool } from './tool.ts';
@@ -50,13 +49,11 @@ export interface PaintParts {
 
 type Gesture =
   | { readonly kind: 'surface'; readonly stroke: FieldStroke<SurfacePoint>; at: CanvasPointer }
-  | { readonly kind: 'ball'; readonly stroke: FieldStroke<Vec3>; readonly path: Stroke; field: SphereField }
+  | { readonly kind: 'ball' }
   | { readonly kind: 'pick' };
 
 /** Angle on the ball, in radians, for a size of 1. */
 const ballReach = 4.4;
-/** Pixels of a painted ball from pole to pole. */
-const ballHeight = 128;
 /** Most places that are looked at between two sights of the pointer. */
 const mostBetween = 12;
 
@@ -70,8 +67,11 @@ export class PaintStrength implements Tool {
   readonly #view: StrengthView;
   #gesture: Gesture | null = null;
   #isScheduled = false;
-  #mirror: MirrorMap | null = null;
-  #sphere: SphereCanvas | null = null;
+  /** The gesture that is under way has been shown. */
+  #isPreviewed = false;
+  /** Of the mesh that it was found for. */
+  #mirror: { readonly mesh: Mesh; readonly map: MirrorMap | null } | null = null;
+  readonly #ball = new BallBrush();
   #unlisten: (() => void) | null = null;
   /** Where the face looks that a pointer is over, for the ball to show. */
   #pointed: Vec3 | null = null;
@@ -101,14 +101,13 @@ export class PaintStrength implements Tool {
 
   set(change: Partial<PaintOptions>): void {
     this.options = { ...this.options, ...change };
-    if (change.mirror !== undefined) void this.#findMirror(change.mirror);
+    if (change.mirror) void this.#findMirror();
     this.#parts.store.set({});
   }
 
   /** What is on the ball now: the stroke that is being painted, else that of the step; null where nobody has painted. */
   get field(): SphereField | null {
-    const gesture = this.#gesture;
-    return gesture?.kind === 'ball' ? gesture.field : this.#strength.field;
+    return this.#ball.field ?? this.#strength.field;
   }
 
   get pointed(): Vec3 | null {
@@ -130,15 +129,16 @@ export class PaintStrength implements Tool {
 
   press(pointer: CanvasPointer): boolean {
     const hit = this.#parts.interaction.picking.pick(pointer);
+    const { project } = this.#parts.store.state;
     const surface = this.#surface();
-    if (!hit || !surface || !this.#strength.isOnSurface) return false;
+    if (!hit || !project || !surface || !this.#strength.isOnSurface) return false;
     if (this.options.mode === 'pick' || pointer.alt) {
       this.#gesture = { kind: 'pick' };
       this.#pick(hit);
       return true;
     }
     const base = this.#strength.shares ?? new Float64Array(surface.topology.vertices).fill(unpainted);
-    const canvas = new SurfaceCanvas(surface, this.#mirror);
+    const canvas = new SurfaceCanvas(surface, this.#mirrorOf(project.mesh));
     const radius = this.options.size * this.#diagonal();
     const stroke = new FieldStroke(canvas, base, this.#brush(radius, pointer));
     this.#gesture = { kind: 'surface', stroke, at: pointer };
@@ -166,14 +166,18 @@ export class PaintStrength implements Tool {
   release(): void {
     const gesture = this.#gesture;
     this.#gesture = null;
+    this.#isPreviewed = false;
     if (gesture?.kind === 'surface') this.#strength.commit({ shares: gesture.stroke.values });
     this.#show();
   }
 
   cancel(): void {
-    const gesture = this.#gesture;
     this.#gesture = null;
-    if (gesture?.kind === 'surface' || gesture?.kind === 'ball') this.#strength.cancel();
+    this.#ball.end();
+    // What has not been shown yet is not there to be taken back.
+    if (this.#isPreviewed) this.#strength.cancel();
+    this.#isPreviewed = false;
+    this.#view.forget();
     this.#show();
   }
 
@@ -188,35 +192,28 @@ export class PaintStrength implements Tool {
   }
 
   beginBall(direction: Vec3, pointer: Pick<CanvasPointer, 'pressure' | 'shift' | 'ctrl' | 'alt'>): void {
-    if (!this.#strength.isOnBall) return;
-    const field = this.#strength.field ?? evenField(unpainted);
+    const { field, isOnBall } = this.#strength;
+    if (!isOnBall) return;
     if (this.options.mode === 'pick' || pointer.alt) {
-      this.set({ mode: 'set', value: sampleSphere(field, direction) });
+      this.set({ mode: 'set', value: field ? sampleSphere(field, direction) : unpainted });
       return;
     }
-    const stroke = new FieldStroke(
-      this.#sphereCanvas(field.height),
-      Float64Array.from(field.values),
-      this.#brush(this.ballRadius, pointer),
-    );
-    const path = new Stroke(this.ballRadius / 4);
-    this.#gesture = { kind: 'ball', stroke, path, field };
+    this.#ball.begin(field, this.#brush(this.ballRadius, pointer), this.options.mirror);
+    this.#gesture = { kind: 'ball' };
     this.moveBall(direction, pointer.pressure);
   }
 
   moveBall(direction: Vec3, pressure: number): void {
-    const gesture = this.#gesture;
-    if (gesture?.kind !== 'ball') return;
-    for (const touch of gesture.path.to(direction)) gesture.stroke.touch(unit(touch), pressure);
-    gesture.field = inSavedSteps({ ...gesture.field, values: gesture.stroke.values });
+    if (!this.isOnBall) return;
+    this.#ball.touch(direction, pressure);
     this.#soon();
   }
 
   endBall(): void {
-    const gesture = this.#gesture;
-    if (gesture?.kind !== 'ball') return;
+    if (!this.isOnBall) return;
     this.#gesture = null;
-    this.#strength.commit({ field: gesture.field });
+    this.#isPreviewed = false;
+    this.#strength.commit({ field: this.#ball.end() });
     this.#show();
   }
 
@@ -291,8 +288,9 @@ export class PaintStrength implements Tool {
     this.#parts.soon(() => {
       this.#isScheduled = false;
       const gesture = this.#gesture;
+      this.#isPreviewed = gesture?.kind === 'surface' || gesture?.kind === 'ball';
       if (gesture?.kind === 'surface') this.#strength.preview({ shares: gesture.stroke.values.slice() });
-      if (gesture?.kind === 'ball') this.#strength.preview({ field: gesture.field });
+      if (gesture?.kind === 'ball') this.#strength.preview({ field: this.#ball.field });
     });
   }
 
@@ -309,41 +307,40 @@ export class PaintStrength implements Tool {
     layers.set('brush', isShown ? brushRing(hit, this.options.size * this.#diagonal()) : null);
   }
 
-  #sphereCanvas(height: number): SphereCanvas {
-    const isMirrored = this.options.mirror;
-    if (this.#sphere?.height !== height || !!this.#sphere.partner !== isMirrored)
-      this.#sphere = new SphereCanvas(height, isMirrored);
-    return this.#sphere;
+  /** The mirror of this mesh, where it is wanted and known. */
+  #mirrorOf(mesh: Mesh): MirrorMap | null {
+    return this.options.mirror && this.#mirror?.mesh === mesh ? this.#mirror.map : null;
   }
 
-  async #findMirror(isOn: boolean): Promise<void> {
-    const { store, surface } = this.#parts;
-    const { project } = store.state;
-    this.#mirror = null;
-    if (!isOn || !project) return;
-    const { places } = await surface.ready(project);
+  async #findMirror(): Promise<void> {
+    const { project } = this.#parts.store.state;
+    if (!project || this.#mirror?.mesh === project.mesh) return;
+    const { mesh } = project;
+    this.#mirror = { mesh, map: null };
+    const { places } = await this.#parts.surface.ready(project);
     const map = await inSlices(mirrorMap(places, 0));
-    if (this.options.mirror && store.state.project?.mesh === project.mesh) this.#mirror = map;
+    if (this.#mirror.mesh === mesh) this.#mirror = { mesh, map };
   }
 
   /** Brings colours and ball to what the project has. */
   #show(): void {
-    const { project } = this.#parts.store.state;
+    const { project, look } = this.#parts.store.state;
     const rest = project && restShapeOf(project, activeStep(project).id);
-    if (!project || !rest) {
+    if (!project || !rest || !this.#strength.isOnSurface) {
       this.#view.hide();
       return;
     }
+    // Someone wants to see other colours now.
+    if (look.overlay !== 'none') {
+      this.#view.forget();
+      return;
+    }
     this.#surface(); // it is made meanwhile
+    if (this.options.mirror) void this.#findMirror();
     if (this.#gesture?.kind === 'surface') return;
     this.#view.show({ mesh: project.mesh, rest, shares: this.#strength.shares, field: this.field });
     this.onBall();
   }
-}
-
-function evenField(value: number): SphereField {
-  const values = new Float64Array(2 * ballHeight * ballHeight).fill(value);
-  return { width: 2 * ballHeight, height: ballHeight, values };
 }
 
 /** Places on the way of a pointer, itself the last. */

@@ -67,6 +67,11 @@ export class StrengthView {
     return this.#shown !== null;
   }
 
+  /** Colours everything anew when it is asked for next: somebody else has coloured the mesh. */
+  forget(): void {
+    this.#shown = null;
+  }
+
   /** Takes the colours away. */
   hide(): void {
     if (this.#shown) this.#viewer.setColors(null);
