@@ -98,6 +98,28 @@ describe('the painter', () => {
     expect(painter.map.normals).toEqual(blankMap().normals);
   });
 
+  it('erases what was painted, and picks a direction from the ball', async () => {
+    const { painter, store, rest } = await easel();
+    const direction = unit([0, 1, 1]);
+    painter.setBrush({ direction, size: 30, hardness: 1, mirror: false });
+    painter.begin(at);
+    painter.end();
+    await rest();
+    painter.setBrush({ mode: 'pick', direction: [1, 0, 0] });
+    painter.begin(at);
+    painter.end();
+    expect(painter.brush.mode).toBe('paint');
+    expect(dot(painter.brush.direction, direction)).toBeCloseTo(1, 6);
+    painter.setBrush({ mode: 'erase', size: 40 });
+    painter.begin(at);
+    painter.end();
+    await rest();
+    expect(store.state.history.past.map(({ label }) => label)).toEqual(['Stroke', 'Erase']);
+    expect(painter.map.normals.every((value, k) => Math.abs(value - painter.map.points[k]!) < 1e-9)).toBe(
+      true,
+    );
+  });
+
   it('saves what it loads again', async () => {
     const { painter, rest } = await easel();
     painter.setBrush({ direction: [1, 0, 0], size: 40, hardness: 0 });

@@ -3,6 +3,7 @@ import type { Vec3 } from '../../src/mesh/vectors.ts';
 import { normalColor, PaintBall } from '../../src/viewer/paint-ball.ts';
 import { darkTheme, lightTheme } from '../../src/viewer/stage.ts';
 import { nudged, toFile, toSeen } from '../app/view-directions.ts';
+import type { NormalBrushMode } from '../tools/paint-normals.ts';
 import { icon } from './icons.ts';
 import { PageElement } from './page-element.ts';
 import './direction.ts';
@@ -14,6 +15,12 @@ const walks: Readonly<Record<string, readonly [number, number]>> = {
   ArrowUp: [0, step],
   ArrowDown: [0, -step],
 };
+
+const brushModes: readonly { id: NormalBrushMode; title: string; does: string }[] = [
+  { id: 'paint', title: 'Paint', does: 'What looks this way turns to the way of the arrow' },
+  { id: 'erase', title: 'Erase', does: 'What looks this way stays as it is' },
+  { id: 'pick', title: 'Pick', does: 'Take the direction that is painted there' },
+];
 
 /** The ball that is painted on, its brush, and what can be done with the picture. */
 export class WhittlePainter extends PageElement {
@@ -33,8 +40,9 @@ export class WhittlePainter extends PageElement {
 
   protected override render() {
     const { painter } = this.page;
-    const { size, hardness, direction, mirror } = painter.brush;
+    const { mode, size, hardness, direction, mirror } = painter.brush;
     return html`
+      <p class="painter-words">The ball is every way a surface can look. Where you paint, surfaces turn to the way of the arrow.</p>
       <div class="painter-balls">
         <canvas
           class="ball" tabindex="0" role="application" aria-label="The ball to paint on. Arrow keys move the brush, Space paints."
@@ -45,6 +53,12 @@ export class WhittlePainter extends PageElement {
           .seen=${toSeen(direction, this.page.view)} .color=${normalColor(direction).getStyle()}
           @direction=${({ detail }: CustomEvent<Vec3>) => painter.setBrush({ direction: toFile(detail, this.page.view) })}
         ></whittle-direction>
+      </div>
+      <div class="painter-tools" role="group" aria-label="What the brush does">
+        ${brushModes.map(
+          ({ id, title, does }) =>
+            html`<button type="button" class="button small" data-brush=${id} aria-pressed=${mode === id} title=${does} @click=${() => painter.setBrush({ mode: id })}>${title}</button>`,
+        )}
       </div>
       <label class="field"><span>Size</span>
         <input type="range" class="plain" min="6" max="80" step="1" .value=${String(size)} aria-valuetext="${size} degrees" @input=${(event: Event) => painter.setBrush({ size: sliderValue(event) })} /></label>

@@ -6,6 +6,7 @@ import type { StepChange } from '../../src/editor/steps.ts';
 import { startingValues } from '../../src/inputs/starting-values.ts';
 import { blankMap, onSphere, type SphereMap } from '../../src/inputs/styles/captures.ts';
 import { captureFile } from '../../src/inputs/styles/exact-capture.ts';
+import { lookup } from '../../src/inputs/styles/gauss-lookup.ts';
 import { add, row, scale, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import { findMethod, methods } from '../../src/methods/registry.ts';
 import type { GaussMap } from '../../src/methods/values/gauss-map.ts';
@@ -15,8 +16,12 @@ import { canTake } from '../app/offered-methods.ts';
 import type { PageStore } from '../app/page-state.ts';
 import { paintedName } from '../app/style-gallery.ts';
 
+/** What a press on the ball does: puts the brush's direction there, goes back to none, or takes the direction that is there. */
+export type NormalBrushMode = 'paint' | 'erase' | 'pick';
+
 /** What the brush is like. */
 export interface Brush {
+  readonly mode: NormalBrushMode;
   /** The size of its tip on the ball, in degrees. */
   readonly size: number;
   readonly hardness: number;
@@ -28,7 +33,7 @@ export interface Brush {
 
 /** Paints normals on a ball; the mesh follows every stroke, and each stroke is one entry for undo. */
 export class NormalPainter {
-  brush: Brush = { size: 28, hardness: 0.4, direction: [0, 1, 0], mirror: true };
+  brush: Brush = { mode: 'paint', size: 28, hardness: 0.4, direction: [0, 1, 0], mirror: true };
   readonly #store: PageStore;
   readonly #editor: Editor;
   readonly #soon: (run: () => void) => void;
@@ -79,9 +84,13 @@ export class NormalPainter {
     this.#store.set({});
   }
 
-  /** Puts the brush on a point of the unit ball. */
+  /** Puts the brush on a point of the unit ball. The pipette takes what is there, and the brush paints with it from then on. */
   begin(point: Vec3): void {
     const base = this.map;
+    if (this.brush.mode === 'pick') {
+      this.setBrush({ mode: 'paint', direction: unit(lookup(base)(unit(point))) });
+      return;
+    }
     this.#ball ??= new BrushSurface(base.points, base.triangles);
     const { vertices, around } = this.#ball;
     this.#stroke = {
@@ -98,10 +107,12 @@ export class NormalPainter {
     const stroke = this.#stroke;
     if (!stroke) return;
     const normals = stroke.map.normals.slice();
-    const { direction, mirror } = this.brush;
+    const { mode, mirror } = this.brush;
+    const direction = mode === 'erase' ? null : this.brush.direction;
     for (const touch of stroke.path.to(point)) {
       this.#lay(stroke.coverage, unit(touch), direction, normals);
-      if (mirror) this.#lay(stroke.mirrored, mirrorOf(unit(touch)), mirrorOf(direction), normals);
+      if (mirror)
+        this.#lay(stroke.mirrored, mirrorOf(unit(touch)), direction && mirrorOf(direction), normals);
     }
     stroke.map = { ...stroke.map, normals };
     this.#follow();
@@ -111,7 +122,7 @@ export class NormalPainter {
     const stroke = this.#stroke;
     if (!stroke) return;
     this.#stroke = null;
-    this.#editor.commit(this.#change(stroke.map), 'Stroke');
+    this.#editor.commit(this.#change(stroke.map), this.brush.mode === 'erase' ? 'Erase' : 'Stroke');
   }
 
   /** An empty ball: every normal stays as it is. */
@@ -128,11 +139,13 @@ export class NormalPainter {
     return { radius: 2 * Math.sin((this.brush.size * Math.PI) / 360), hardness: this.brush.hardness };
   }
 
-  #lay(coverage: Coverage<Vec3>, point: Vec3, direction: Vec3, normals: Float64Array): void {
+  /** @param direction null: each point's own, which leaves the mesh as it is there */
+  #lay(coverage: Coverage<Vec3>, point: Vec3, direction: Vec3 | null, normals: Float64Array): void {
     const { base } = this.#stroke!;
     for (const vertex of coverage.touch(point, this.#tip())) {
       const share = coverage.share[vertex]!;
-      const mixed = unit(add(scale(row(base.normals, vertex), 1 - share), scale(direction, share)));
+      const wanted = direction ?? row(base.points, vertex);
+      const mixed = unit(add(scale(row(base.normals, vertex), 1 - share), scale(wanted, share)));
       // Between opposite normals there is no middle.
       if (mixed.some((value) => value !== 0)) normals.set(mixed, 3 * vertex);
     }
