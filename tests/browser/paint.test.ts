@@ -85,6 +85,21 @@ it('paints by direction on the ball, which shows where the mesh looks that is po
   await done(page, 'Paint strength');
 });
 
+it('takes a stroke back with Escape, and nothing but that stroke', async () => {
+  await drag(page, cheek, [620, 400]);
+  await done(page, 'Paint strength');
+  const before = (await recipe()).step;
+  for (const places of [[flank], [flank, [520, 480]]] as Place[][]) {
+    await page.mouse.move(...places[0]!);
+    await page.mouse.down();
+    for (const place of places.slice(1)) await page.mouse.move(...place, { steps: 4 });
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    await done(page, 'Paint strength');
+    expect((await recipe()).step).toEqual(before);
+  }
+});
+
 it('keeps what is painted a share of λ when that is changed', async () => {
   await page.locator('[data-act=strong-nowhere]').click();
   await done(page, 'No strength');
@@ -105,6 +120,10 @@ it('keeps what is painted a share of λ when that is changed', async () => {
 
 it('is at home on a phone, and says what it is to those who listen', async () => {
   expect(await violations(page)).toEqual([]);
+  await page.evaluate(() => {
+    document.documentElement.dataset.theme = 'dark';
+  });
+  await look('paint-dark');
   page = await pages.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await takeTool(page, 'Paint');
   await look('paint-phone');
