@@ -209,6 +209,16 @@ describe('work', () => {
       await carved(window);
       expect(await lambda(window)).toBe(value);
     }
+    await first.close();
+    await act('again').click();
+    await page.waitForFunction(
+      (value) => document.querySelector<HTMLInputElement>('.slider .number')?.valueAsNumber === value,
+      plain,
+    );
+    await carved(page);
+    await page.reload();
+    await carved(page);
+    expect(await lambda(page)).toBe(plain);
   });
 
   it('is asked for before leaving only while it is not kept', async () => {
@@ -248,6 +258,29 @@ describe('work', () => {
 });
 
 describe('a link', () => {
+  it('that was worked on is as it was left after a reload, and leaves other work alone', async () => {
+    page = await pages.open();
+    await strengthen();
+    const strong = await lambda(page);
+    await kept();
+    const recipe = encodeURIComponent('{"whittle":1,"steps":[{"method":"cubic","lambda":0.7}]}');
+    const link = `${pages.url}?src=samples/vase.obj#recipe=${recipe}`;
+    await page.goto(link);
+    await carved(page);
+    expect(await lambda(page)).toBe(0.7);
+    await page.locator('input[type=range]').focus();
+    await page.keyboard.press('Home');
+    await page.waitForSelector('[data-act=undo]:not([disabled])');
+    await kept();
+    await page.reload();
+    await carved(page);
+    expect(await lambda(page)).toBe(0);
+    const next = await page.context().newPage();
+    await next.goto(pages.url);
+    await carved(next);
+    expect(await lambda(next)).toBe(strong);
+  });
+
   it('leads to the same shape', async () => {
     page = await pages.open();
     await page.getByRole('button', { name: 'Add a step' }).click();

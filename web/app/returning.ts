@@ -33,13 +33,13 @@ async function ownWork(
   link: string,
 ): Promise<{ id: string; kept: KeptProject | undefined }> {
   const former = formerId();
-  const isFitting = (kept: KeptProject | undefined) => kept !== undefined && (!link || kept.link === link);
   if (former !== null) {
+    const isOwn = await takeId(former);
     const kept = await projects.read(former);
-    const isTaken = !(await takeId(former));
+    const isFitting = kept !== undefined && (!link || kept.link === link);
     // A tab that was duplicated goes on from its twin's work, as its own.
-    if (isFitting(kept)) return { id: isTaken ? await freshId() : former, kept };
-    if (!kept && !isTaken && link) return { id: former, kept: undefined };
+    if (isFitting) return { id: isOwn ? former : await freshId(), kept };
+    return { id: isOwn && !kept ? former : await freshId(), kept: undefined };
   }
   if (!link)
     for (const id of await projects.list())

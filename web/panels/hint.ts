@@ -13,6 +13,7 @@ export class WhittleHint extends PageElement {
   protected override stateChanged({ tool, history: { past } }: PageState): void {
     if (tool === this.#tool && past.length > this.#entries) this.#hints.learn(tool);
     this.#tool = tool;
+    this.dataset.tool = tool;
     this.#entries = past.length;
   }
 

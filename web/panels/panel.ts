@@ -122,7 +122,7 @@ export class WhittlePanel extends PageElement {
       },
       { label: 'Recipe', about: 'the steps, for other meshes', run: () => saving.saveRecipe() },
       { label: 'Copy a link', about: 'to this shape', run: () => void saving.copyLink() },
-      { label: 'Copy as a command', about: 'for a terminal', run: () => void saving.copyCommand() },
+      { label: 'Copy as a command', about: 'for a shell', run: () => void saving.copyCommand() },
     ];
     return html`
       <div class="home">
