@@ -66,6 +66,22 @@ export class CameraRig {
     if (!this.isHeld && !this.#isMoved && Math.abs(radius / this.#radius - 1) > 0.03) this.fit(radius, true);
   }
 
+  /** Frames a sphere anew if one of these places (world units) is not seen, unless a hand has moved the camera. */
+  uncover(places: Iterable<Vector3>, radius: number): void {
+    if (this.#isMoved) return;
+    const { top, right, bottom, left } = this.#insets;
+    const { width, height } = this.#size;
+    this.camera.updateMatrixWorld();
+    for (const place of places) {
+      const { x, y } = place.project(this.camera);
+      const across = ((x + 1) * width) / 2;
+      const down = ((1 - y) * height) / 2;
+      if (across >= left && across <= width - right && down >= top && down <= height - bottom) continue;
+      this.fit(radius, true);
+      return;
+    }
+  }
+
   /** Goes around the object. @param azimuth to the right, in radians   @param polar upwards */
   turn(azimuth: number, polar: number): void {
     const { target } = this.controls;

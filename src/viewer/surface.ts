@@ -1,4 +1,4 @@
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, type Matrix4, Vector3 } from 'three';
 import { edgesOf } from '../mesh/edges.ts';
 import { type Extent, extentOf } from '../mesh/extent.ts';
 import type { Mesh } from '../mesh/mesh.ts';
@@ -146,6 +146,13 @@ export class Surface {
     return Math.sqrt(square);
   }
 
+  /** Some of what is shown, where it is drawn. @param toWorld from the file's axes in view units */
+  *samples(toWorld: Matrix4): Generator<Vector3> {
+    const step = Math.max(1, Math.floor(this.#shown.length / mostSamples));
+    for (let k = 0; k < this.#shown.length; k += step)
+      yield new Vector3().fromArray(this.drawn, 3 * this.#shown[k]!).applyMatrix4(toWorld);
+  }
+
   dispose(): void {
     this.geometry.dispose();
     this.#edges?.dispose();
@@ -163,6 +170,9 @@ function insideOf({ min, max }: Extent, positions: Float64Array): Uint32Array {
   }
   return inside.subarray(0, count);
 }
+
+/** Enough to know whether a shape is in view, but for a tip. */
+const mostSamples = 2000;
 
 /** Bodies flatter than this, by volume for their area, are sheets. */
 const flatBody = 0.02;

@@ -236,6 +236,14 @@ export class Viewer {
     this.#loop.invalidate();
   }
 
+  /** Frames the mesh anew where some of it has come under what covers the canvas, unless a hand has moved the camera. */
+  uncover(): void {
+    if (!this.#surface) return;
+    this.#turned.updateMatrixWorld();
+    this.#rig.uncover(this.#surface.samples(this.#turned.matrixWorld), this.#reach);
+    this.#loop.invalidate();
+  }
+
   /** What the canvas shows, on a colour of your choice (default: see-through). */
   snapshot(background?: string): Promise<Blob> {
     this.#screen.sharpen();

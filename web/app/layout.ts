@@ -30,6 +30,7 @@ export function followLayout(
     const isOther = isNarrow && Math.abs(covered - insets.bottom) > 60;
     if (narrow !== isNarrow) viewer.fit(false);
     else if (isOther) viewer.fit();
+    else if (!isNarrow) viewer.uncover();
     if (narrow !== isNarrow || isOther) covered = insets.bottom;
     narrow = isNarrow;
   };
