@@ -264,8 +264,13 @@ export class Editor {
 
   /** Takes back the gesture that is under way or else the latest that has ended. False if there was none. */
   undo(): boolean {
+    return this.dropGesture() || this.#travel(undo(this.store.state.history), 'before');
+  }
+
+  /** Takes back the gesture that is under way. False if there is none: nothing of it was previewed yet. */
+  dropGesture(): boolean {
     const from = this.#gestureFrom;
-    if (!from) return this.#travel(undo(this.store.state.history), 'before');
+    if (!from) return false;
     this.#gestureFrom = null;
     this.#goTo(from);
     return true;

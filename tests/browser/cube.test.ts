@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { beforeEach, expect, it } from 'vitest';
 import { violations } from './support/axe.ts';
 import { picture } from './support/browser.ts';
-import { done, drag, type Place, takeTool } from './support/hands.ts';
+import { done, drag, type Place, takeTool, typeOver } from './support/hands.ts';
 import { exported, shapedHeadless } from './support/headless.ts';
 import { usePage } from './support/use-page.ts';
 
@@ -40,8 +40,7 @@ it('stretches the cube by a side, as one entry that the command line repeats to 
   const recipe = await exported(page, 'Recipe');
   const shaped = await exported(page, 'glTF binary');
   expect((await shapedHeadless(recipe, 'public/samples/rabbit.glb')).equals(shaped.bytes)).toBe(true);
-  await page.locator('[data-stretch=y]').fill('1');
-  await page.locator('[data-stretch=y]').press('Enter');
+  await typeOver(page.locator('[data-stretch=y]'), '1');
   await page.waitForFunction(
     () => document.querySelector<HTMLInputElement>('[data-stretch=y]')!.value === '1',
   );
@@ -66,8 +65,7 @@ it('takes polyhedra by their pictures and edges of one’s own', async () => {
   expect((await step()).polyhedron).toBe('hexagonal-prism');
   await page.locator('[data-polyhedron=own]').click();
   await page.waitForSelector('.own-rows');
-  await page.locator('[data-row="3"][data-axis="1"]').fill('0.4');
-  await page.locator('[data-row="3"][data-axis="1"]').press('Enter');
+  await typeOver(page.locator('[data-row="3"][data-axis="1"]'), '0.4');
   await page.waitForSelector('whittle-status[data-activity=idle]');
   const { polyhedron } = await step();
   expect(polyhedron).toHaveLength(4);

@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { beforeEach, expect, it } from 'vitest';
 import { violations } from './support/axe.ts';
 import { picture } from './support/browser.ts';
-import { done, drag, fingers, type Place, takeTool } from './support/hands.ts';
+import { done, drag, fingers, type Place, takeTool, typeOver } from './support/hands.ts';
 import { exported, shapedHeadless } from './support/headless.ts';
 import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
@@ -81,8 +81,7 @@ it('moves a group by keys as Blender does, and by numbers', async () => {
   await page.keyboard.type('gx9');
   await page.keyboard.press('Escape');
   expect(await height()).toBeCloseTo(before + 0.25, 3);
-  await page.locator('[data-axis=y]').fill('0.5');
-  await page.locator('[data-axis=y]').press('Enter');
+  await typeOver(page.locator('[data-axis=y]'), '0.5');
   await page.waitForFunction(
     () => Number(document.querySelector<HTMLInputElement>('[data-axis=y]')!.value) === 0.5,
   );

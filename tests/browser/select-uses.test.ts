@@ -5,7 +5,7 @@ import { objPositions, objText } from '../fixtures/mesh-files.ts';
 import { violations } from './support/axe.ts';
 import { carved, drop } from './support/browser.ts';
 import { saved } from './support/downloads.ts';
-import { done, drag, type Place, takeTool } from './support/hands.ts';
+import { done, drag, type Place, takeTool, typeOver } from './support/hands.ts';
 import { exported } from './support/headless.ts';
 import { usePage } from './support/use-page.ts';
 
@@ -68,8 +68,7 @@ it('with a name is taken hold of by that name, to be moved', async () => {
   await page.getByRole('radio', { name: 'Move' }).waitFor();
   expect(await page.getByRole('radio', { name: 'Move' }).isChecked()).toBe(true);
   await page.locator('.group-name').filter({ hasText: 'face' }).waitFor();
-  await page.locator('[data-axis=z]').fill('0.5');
-  await page.keyboard.press('Enter');
+  await typeOver(page.locator('[data-axis=z]'), '0.5');
   await done(page, 'Move');
   const { step, groups } = await recipe();
   expect(groups.map(({ name }) => name)).toContain('face');
@@ -92,8 +91,7 @@ it('is held on a plane, which is dragged by its arrow, typed, laid and removed',
   await drag(page, [790, 437], [810, 440], [830, 443]);
   await done(page, 'Move the plane');
   expect(Number(await place.inputValue())).toBeGreaterThan(1.02);
-  await place.fill('1.25');
-  await place.press('Enter');
+  await typeOver(place, '1.25');
   await page.waitForFunction(() => {
     const status = document.querySelector<HTMLElement>('whittle-status');
     return status?.dataset.activity === 'idle';

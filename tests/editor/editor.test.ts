@@ -168,6 +168,21 @@ describe('cancelling a gesture', () => {
   });
 });
 
+describe('dropping a gesture', () => {
+  it('takes back what was previewed, and nothing else where nothing was', async () => {
+    const { editor, store, lambda } = desk();
+    await editor.open(bytes, 'a.obj');
+    editor.commit(lambda(0.5), 'Cubeness');
+    await quiet(store);
+    const before = editor.project;
+    expect(editor.dropGesture()).toBe(false);
+    editor.preview(lambda(0.9));
+    expect(editor.dropGesture()).toBe(true);
+    expect(editor.project).toBe(before);
+    expect(store.state.history.past).toHaveLength(1);
+  });
+});
+
 describe('a worker that dies', () => {
   it('costs one retry', async () => {
     const { engine, editor, store, lambda } = desk();

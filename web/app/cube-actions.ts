@@ -139,7 +139,7 @@ export class CubeActions {
 
   /** Takes the gesture that is under way back. */
   cancel(): void {
-    this.#editor.undo();
+    this.#editor.dropGesture();
   }
 
   #turned(orientation: Quaternion): Changes {

@@ -160,7 +160,7 @@ export class HandleActions {
 
   /** Takes the gesture back. */
   cancel(): void {
-    this.#editor.undo();
+    this.#editor.dropGesture();
   }
 
   #preview(handles: Handles, groups?: readonly Group[]): void {

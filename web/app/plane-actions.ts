@@ -76,7 +76,7 @@ export class PlaneActions {
 
   /** Takes the gesture that is under way back. */
   cancel(): void {
-    this.#editor.undo();
+    this.#editor.dropGesture();
   }
 
   sheetOf({ vertices, normal: given, offset }: Plane): PlaneSheet {

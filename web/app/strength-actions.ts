@@ -72,7 +72,7 @@ export class StrengthActions {
 
   /** Takes back the gesture that is under way. */
   cancel(): void {
-    this.#editor.undo();
+    this.#editor.dropGesture();
   }
 
   /** Values of the active step with another λ: what was painted is a share of it. */

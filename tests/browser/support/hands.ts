@@ -1,4 +1,4 @@
-import type { Page } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 
 export type Place = readonly [x: number, y: number];
 
@@ -32,4 +32,12 @@ export async function fingers(page: Page) {
     const touchPoints = places.map(([x, y], id) => ({ x, y, id }));
     await session.send('Input.dispatchTouchEvent', { type, touchPoints });
   };
+}
+
+/** Types a value in place of a field's own, key by key, and ends with Enter. (Firefox does not take `fill` for an edit of a number.) */
+export async function typeOver(field: Locator, value: string): Promise<void> {
+  await field.focus();
+  await field.press('Control+A');
+  await field.pressSequentially(value);
+  await field.press('Enter');
 }
