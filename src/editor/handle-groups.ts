@@ -1,5 +1,5 @@
 import { type Affine, applied } from '../mesh/affine.ts';
-import { add, doubledAreaVector, row, scale, unit, type Vec3 } from '../mesh/vectors.ts';
+import { add, distance, doubledAreaVector, row, scale, unit, type Vec3 } from '../mesh/vectors.ts';
 import type { Handles } from '../methods/values/handles.ts';
 import type { Group } from '../recipe/index.ts';
 
@@ -127,13 +127,25 @@ export function footing(
   const middle = taken.reduce((sum, position) => sum + height(position), 0) / Math.max(1, taken.length);
   const reach = footingShare * (high - low);
   const isBelow = middle - low < (high - low) / 4;
-  return free.filter((position) =>
+  const base = free.filter((position) =>
     isBelow ? height(position) >= high - reach : height(position) <= low + reach,
   );
+  return base.length <= flatShare * free.length ? base : farthest(shape, free, taken);
 }
 
-/** Of the height. */
+/** What lies flat stands on all of it: its outermost is held instead, as seen from what is taken. */
+function farthest(shape: ArrayLike<number>, free: readonly number[], taken: readonly number[]) {
+  const middle = centerOf(taken.map((position) => row(shape, position)));
+  const away = free.map((position) => distance(row(shape, position), middle));
+  const reach = (1 - footingShare) * away.reduce((most, one) => Math.max(most, one), 0);
+  return free.filter((_, k) => away[k]! >= reach);
+}
+
+/** Of the height, or of the way to the outermost. */
 const footingShare = 0.05;
+
+/** What stands on more of its positions than this lies flat. */
+const flatShare = 0.9;
 
 function centerOf(points: readonly Vec3[]): Vec3 {
   const sum = points.reduce<Vec3>(add, [0, 0, 0]);

@@ -19,6 +19,7 @@ import {
   translation,
 } from '../../src/mesh/affine.ts';
 import { distance, subtract, unit, type Vec3 } from '../../src/mesh/vectors.ts';
+import { plate } from '../fixtures/shapes.ts';
 
 const rest = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0);
 const groups = [
@@ -76,6 +77,12 @@ describe('handles by groups', () => {
     const all = [0, 1, 2, 3, 4];
     expect(footing(rest, all, [4], 1)).toEqual([0, 1, 3]);
     expect(footing(rest, all, [0], 1)).toEqual([4]);
+  });
+
+  it('are pulled against their outermost where all lies flat', () => {
+    const { positions } = plate(5);
+    const all = [...Array(25).keys()];
+    expect(footing(positions, all, [12], 2)).toEqual([0, 4, 20, 24]);
   });
 });
 
