@@ -1,14 +1,17 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
-import { expect, it } from 'vitest';
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, expect, it } from 'vitest';
 import { picture } from '../browser/support/browser.ts';
 import { exported, shapedHeadless } from '../browser/support/headless.ts';
 import { usePage } from '../browser/support/use-page.ts';
+import type { FigureMesh } from './figure.ts';
 import { figures } from './figures.ts';
 import { Hand } from './hand.ts';
+import { Showroom } from './showroom.ts';
 
-/** With WHITTLE_FIGURES=1 the pictures and recipes of `public/docs/figures` are made anew. */
-const folder = process.env.WHITTLE_FIGURES ? 'public/docs/figures' : null;
-if (folder) mkdirSync(folder, { recursive: true });
+/** With WHITTLE_FIGURES=1 the pictures, the recipes and their page under `public/docs/figures` are made anew. */
+const showroom = process.env.WHITTLE_FIGURES ? new Showroom('public/docs/figures') : null;
 
 const pages = usePage();
 const window = { width: 1200, height: 800 };
@@ -18,22 +21,28 @@ it.each(figures)(
   async (figure) => {
     const page = await pages.open({ viewport: window });
     const hand = new Hand(page);
-    if (figure.sample) await hand.openSample(figure.sample.title);
+    const { mesh } = figure;
+    if (mesh?.bytes) await hand.dropFile(mesh.title, mesh.bytes());
+    else if (mesh) await hand.openSample(mesh.title);
     const before = await picture(page);
     await figure.act(hand);
     await hand.rests();
-    await page.locator('.strip').getByText('Turn', { exact: true }).click();
+    await hand.takes('Turn');
     expect(await picture(page)).not.toBe(before);
     const recipe = await exported(page, 'Recipe');
-    const shaped = await exported(page, figure.sample?.format ?? 'glTF binary');
-    const mesh = figure.sample?.path ?? 'public/samples/rabbit.glb';
-    expect((await shapedHeadless(recipe, mesh)).equals(shaped.bytes)).toBe(true);
-    if (!folder) return;
-    writeFileSync(`${folder}/${figure.id}.whittle.json`, recipe.bytes);
-    const clip = { x: 110, y: 80, width: 770, height: 660 };
-    await page.keyboard.press('f');
-    await page.mouse.move(20, 780);
-    await picture(page);
-    writeFileSync(`${folder}/${figure.id}.jpg`, await page.screenshot({ clip, type: 'jpeg', quality: 82 }));
+    const shaped = await exported(page, mesh?.format ?? 'glTF binary');
+    expect((await shapedHeadless(recipe, pathOf(mesh))).equals(shaped.bytes)).toBe(true);
+    await showroom?.take(figure, hand, recipe.bytes);
   },
 );
+
+afterAll(() => showroom?.open(figures));
+
+/** Where the mesh lies as a file. */
+function pathOf(mesh?: FigureMesh): string {
+  if (!mesh) return 'public/samples/rabbit.glb';
+  if (!mesh.bytes) return mesh.path;
+  const path = join(mkdtempSync(join(tmpdir(), 'whittle-figure-')), mesh.title);
+  writeFileSync(path, mesh.bytes());
+  return path;
+}

@@ -1,0 +1,36 @@
+import type { Hand } from './hand.ts';
+
+/** A mesh that is not the one which the page opens with. */
+export interface FigureMesh {
+  /** A sample by its title in the menu, or the name of a file that is dropped. */
+  readonly title: string;
+  readonly path: string;
+  /** Its own format, by its name in the export menu. */
+  readonly format: string;
+  /** What is in the file that is dropped; a sample lies at its path. */
+  readonly bytes?: () => Uint8Array;
+}
+
+/** A figure of the papers, remade with the shapes that come with the page, in a window of 1200×800. */
+export interface Figure {
+  readonly id: string;
+  /** The year of its paper and its number there. */
+  readonly of: string;
+  readonly caption: string;
+  /** What the paper’s figure shows. */
+  readonly paper: string;
+  /** In what this one is not that. */
+  readonly differs?: string;
+  readonly mesh?: FigureMesh;
+  readonly act: (hand: Hand) => Promise<void>;
+  /** The tool that is in hand on the picture, for what it draws; else that which turns the view. */
+  readonly shows?: string;
+  /** How one looks at it in the end: drags with the tool that turns the view. */
+  readonly look?: (hand: Hand) => Promise<void>;
+}
+
+export const suzanne: FigureMesh = {
+  title: 'Suzanne',
+  path: 'public/samples/suzanne.glb',
+  format: 'glTF binary',
+};
