@@ -31,8 +31,9 @@ it.each(figures)(
     expect(await picture(page)).not.toBe(before);
     const recipe = await exported(page, 'Recipe');
     const shaped = await exported(page, mesh?.format ?? 'glTF binary');
-    expect((await shapedHeadless(recipe, pathOf(mesh))).equals(shaped.bytes)).toBe(true);
-    await showroom?.take(figure, hand, recipe.bytes);
+    const ball = recipe.bytes.includes('strength.png') ? [await hand.savesBall()] : [];
+    expect((await shapedHeadless(recipe, pathOf(mesh), ball)).equals(shaped.bytes)).toBe(true);
+    await showroom?.take(figure, hand, [{ ...recipe, name: `${figure.id}.whittle.json` }, ...ball]);
   },
 );
 

@@ -1,5 +1,6 @@
 import type { Page } from 'playwright-core';
 import { carved, drop } from '../browser/support/browser.ts';
+import { type SavedFile, saved } from '../browser/support/downloads.ts';
 import { done, drag, type Place, takeTool } from '../browser/support/hands.ts';
 
 /** What a person does on the page: presses, moves, lets go, and types. Nothing here calls into the page’s code. */
@@ -94,6 +95,14 @@ export class Hand {
       box.y + (box.height * (1 - 0.92 * y)) / 2,
     ];
     await this.drags('Paint strength', ...places.map(inWindow));
+  }
+
+  /** The ball of directions as the picture that a recipe names. */
+  async savesBall(): Promise<SavedFile> {
+    await this.takes('Paint');
+    const file = await saved(this.page, () => this.clicks('Save'));
+    await this.takes('Turn');
+    return { ...file, name: 'strength.png' };
   }
 
   /** Sets a slider of the tool’s options or of the panel to a share of its travel, with a press on it. */

@@ -1,5 +1,6 @@
 import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { picture } from '../browser/support/browser.ts';
+import type { SavedFile } from '../browser/support/downloads.ts';
 import type { Figure } from './figure.ts';
 import type { Hand } from './hand.ts';
 
@@ -19,9 +20,9 @@ export class Showroom {
     mkdirSync(folder, { recursive: true });
   }
 
-  async take(figure: Figure, hand: Hand, recipe: Uint8Array): Promise<void> {
+  async take(figure: Figure, hand: Hand, files: readonly SavedFile[]): Promise<void> {
     const { page } = hand;
-    writeFileSync(`${this.#folder}/${figure.id}.whittle.json`, recipe);
+    for (const { name, bytes } of files) writeFileSync(`${this.#folder}/${name}`, bytes);
     if (figure.mesh?.bytes) writeFileSync(`${this.#folder}/${figure.mesh.title}`, figure.mesh.bytes());
     await page.keyboard.press('f');
     await this.#original(figure, hand);

@@ -17,12 +17,18 @@ export function exported(page: Page, label: string): Promise<SavedFile> {
  * What the command line makes of a mesh by the recipe of a page.
  *
  * @param mesh path of the file that the page has opened
+ * @param named files that the recipe names
  */
-export async function shapedHeadless(recipe: SavedFile, mesh: string): Promise<Buffer> {
+export async function shapedHeadless(
+  recipe: SavedFile,
+  mesh: string,
+  named: readonly SavedFile[] = [],
+): Promise<Buffer> {
   const folder = await mkdtemp(join(tmpdir(), 'whittle-headless-'));
   try {
     const saidBy = join(folder, recipe.name);
     await writeFile(saidBy, recipe.bytes);
+    for (const { name, bytes } of named) await writeFile(join(folder, name), bytes);
     const out = join(folder, `headless${mesh.slice(mesh.lastIndexOf('.'))}`);
     const said: string[] = [];
     const stream = { write: (text: string) => said.push(text) > 0 };
