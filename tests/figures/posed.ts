@@ -43,13 +43,13 @@ export const posedFigures: readonly Figure[] = [
       async act(hand) {
         await hand.chooses('Pose');
         await hand.takes('Select');
-        await hand.clicksAt([803, 449]);
+        await hand.clicksAt([759, 440]);
         await hand.clicks('Move');
         await hand.keys('Scale', 's.75');
         await hand.clicks('Let Base go');
         await hand.takes('Select');
         await hand.chooses('Brush');
-        await hand.sweeps([586, 404], [592, 408]);
+        await hand.sweeps([589, 406], [594, 409]);
         await hand.clicks('Move');
         await hand.keys('Move', 'gy.4');
         await hand.chooses(edges);
