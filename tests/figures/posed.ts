@@ -6,7 +6,7 @@ import type { Figure, FigureMesh } from './figure.ts';
 const sheet: FigureMesh = {
   title: 'sheet.obj',
   path: 'public/docs/figures/sheet.obj',
-  format: 'Wavefront OBJ',
+  format: 'OBJ',
   bytes: () => Buffer.from(objText(patch({ columns: 31, rows: 31 }, (s, t) => [s - 0.5, 0, 0.5 - t]))),
 };
 
