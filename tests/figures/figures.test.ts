@@ -17,7 +17,7 @@ const pages = usePage();
 const window = { width: 1200, height: 800 };
 
 it.each(figures)(
-  '$id is made on the page by pointers alone, and by its recipe to the bit',
+  '$id is made on the page by pointer and keys, and by its recipe to the bit',
   async (figure) => {
     const page = await pages.open({ viewport: window });
     const hand = new Hand(page);

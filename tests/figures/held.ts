@@ -21,7 +21,7 @@ export const heldFigures: readonly Figure[] = [
     id: 'held-head',
     of: '2019, Fig. 4, top',
     caption: 'The head is held as it was in the file, the rest becomes a bench.',
-    paper: 'a stone bench in the shape of a jaguar, whose head and legs are kept',
+    paper: 'parts of a shape are fixed, in the manner of a stone bench in the shape of a jaguar',
     async act(hand) {
       await hand.lassoes(...aroundHead);
       await hand.clicks('Hold');
@@ -33,7 +33,7 @@ export const heldFigures: readonly Figure[] = [
     of: '2019, Fig. 4, bottom',
     caption:
       'The far half is laid flat against a wall, point by point; the near half stands out from it as a relief.',
-    paper: 'a winged bull as on an Assyrian wall, by points that are held against it',
+    paper: 'points are held against a wall, in the manner of the winged bulls of Assyria',
     differs: 'The wall itself is not drawn.',
     async act(hand) {
       // From the front, its left half is the far one.
@@ -53,7 +53,7 @@ export const heldFigures: readonly Figure[] = [
     of: '2019, Fig. 22',
     caption:
       'Feet and back are held on planes that are square to each other: a rabbit to hold books upright.',
-    paper: 'a figure that clings to the edge of a table, its limbs held on the planes of the table',
+    paper: 'parts lie on planes, so that the shape clings to a table',
     shows: 'Select',
     async act(hand) {
       // Level with the ground and square to its side.

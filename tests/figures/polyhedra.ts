@@ -46,7 +46,7 @@ export const polyhedronFigures: readonly Figure[] = [
   {
     id: 'irregular',
     of: '2019, Fig. 25',
-    caption: 'A solid that has no symmetry, by four edges of one’s own.',
+    caption: 'An irregular solid, by four edges of one’s own.',
     paper: 'a shape drawn to an irregular polyhedron',
     async act(hand) {
       await hand.takes('Cube');

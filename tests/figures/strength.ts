@@ -6,7 +6,7 @@ export const strengthFigures: readonly Figure[] = [
     id: 'painted-mesh',
     of: '2019, Fig. 19',
     caption: 'Strength is painted on the mesh: body full, head none.',
-    paper: 'an animal with a cubic body and smooth ends, to sit on',
+    paper: 'more strength on one region and less on another, for a shape to sit on',
     async act(hand) {
       await hand.takes('Paint');
       await hand.unfolds('Brush');
@@ -65,8 +65,7 @@ export const strengthFigures: readonly Figure[] = [
       id: `stretched-${axis}`,
       of: '2019, Fig. 21',
       caption: `The cube is stretched along ${axis}.`,
-      paper: 'three shapes, each biased towards one axis',
-      differs: 'The paper has a shape for each axis, here it is the same one.',
+      paper: 'shapes that are biased towards each of the axes',
       async act(hand) {
         await hand.takes('Cube');
         await hand.drags('Stretch the cube', from, to);
