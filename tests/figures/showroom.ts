@@ -83,9 +83,11 @@ ${figures.map((figure) => this.#card(figure)).join('\n')}
   #card({ id, caption, mesh }: Figure): string {
     const recipe = `${id}.whittle.json`;
     const size = Math.max(1, Math.round(statSync(`${this.#folder}/${recipe}`).size / 1024));
+    const names = /"([^"]+\.png)"/.exec(readFileSync(`${this.#folder}/${recipe}`, 'utf8'))?.[1];
+    const beside = names ? ` and the <a href="${names}" download>ball</a> that it names` : '';
     const on = mesh?.bytes ? `<a href="${mesh.title}" download>${mesh.title}</a>` : (mesh?.title ?? 'Rabbit');
     return `<figure><img src="${id}.jpg" alt="${caption}" loading="lazy">
-<figcaption>${caption}<small>${on} · <a href="${recipe}" download>recipe</a>, ${size} KB</small></figcaption></figure>`;
+<figcaption>${caption}<small>${on} · <a href="${recipe}" download>recipe</a>, ${size} KB${beside}</small></figcaption></figure>`;
   }
 }
 
