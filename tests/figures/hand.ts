@@ -1,5 +1,5 @@
 import type { Page } from 'playwright-core';
-import { carved, drop, picture } from '../browser/support/browser.ts';
+import { carved, drop } from '../browser/support/browser.ts';
 import { type SavedFile, saved } from '../browser/support/downloads.ts';
 import { done, drag, type Place, takeTool } from '../browser/support/hands.ts';
 
@@ -31,7 +31,6 @@ export class Hand {
   /** Takes a tool and waits until the view has made room for its options. */
   async takes(tool: string): Promise<void> {
     await takeTool(this.page, tool);
-    await picture(this.page);
   }
 
   /** Clicks the button of that name and waits for the shape that it leads to. */

@@ -1,11 +1,14 @@
 import type { Locator, Page } from 'playwright-core';
+import { picture } from './browser.ts';
 
 export type Place = readonly [x: number, y: number];
 
-/** Takes a tool from the strip and waits until it can take something of the mesh. */
+/** Takes a tool from the strip and waits until it can take something of the mesh, and the view is at rest. */
 export async function takeTool(page: Page, title: string): Promise<void> {
   await page.locator('.strip').getByText(title, { exact: true }).click();
   await page.waitForSelector('.strip[aria-busy=false]');
+  // The view makes room for its options.
+  await picture(page);
 }
 
 /** Presses, goes through places of the window and lets go. */
