@@ -18,6 +18,7 @@ import { handlesParameter } from '../../src/methods/set-by-hand.ts';
 import type { Handles } from '../../src/methods/values/handles.ts';
 import type { Group } from '../../src/recipe/index.ts';
 import { alone, type MirrorMap } from '../../src/selection/index.ts';
+import { Mirror } from './mirrors.ts';
 import type { PageStore } from './page-state.ts';
 
 /** What is held and what is moved of the mesh: all that buttons, keys and the tool on the canvas can ask for. */
@@ -25,8 +26,9 @@ export class HandleActions {
   readonly #store: PageStore;
   readonly #editor: Editor;
   #active: string | null = null;
-  /** The mirror that groups have a partner behind; null while there is none. */
-  mirror: MirrorMap | null = null;
+  /** What is done on one side is done on the other. */
+  isMirrored = false;
+  readonly #mirror = new Mirror();
 
   constructor(store: PageStore, editor: Editor) {
     this.#store = store;
@@ -58,6 +60,17 @@ export class HandleActions {
   /** The group that gizmo, keys and numbers move; null if it is gone. */
   get active(): HandleGroup | null {
     return this.groups.find(({ name }) => name === this.#active) ?? null;
+  }
+
+  /** The mirror that groups have a partner behind; null where none is wanted or it is not known yet. */
+  get mirror(): MirrorMap | null {
+    const { project } = this;
+    return this.isMirrored && project ? this.#mirror.of(project.mesh, () => this.#store.set({})) : null;
+  }
+
+  /** Has the mirror found before the first gesture that needs it. */
+  seekMirror(): boolean {
+    return this.mirror !== null;
   }
 
   activate(name: string | null): void {

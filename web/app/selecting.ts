@@ -2,7 +2,7 @@ import type { Editor } from '../../src/editor/editor.ts';
 import { freeGroupName, renamedGroup, withGroup, withoutGroup } from '../../src/editor/groups.ts';
 import { type Project, shownPositions } from '../../src/editor/project.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
-import { gather, weldOf } from '../../src/mesh/weld.ts';
+import { weldOf } from '../../src/mesh/weld.ts';
 import {
   aloneIn,
   type Combination,
@@ -14,7 +14,6 @@ import {
   type MirrorMap,
   type MirrorPlane,
   mirrored,
-  mirrorMap,
   nothing,
   type SelectableMesh,
   type Selection,
@@ -22,6 +21,7 @@ import {
   selectedVertices,
   shrunk,
 } from '../../src/selection/index.ts';
+import { mirrorOf } from './mirrors.ts';
 import type { PageStore } from './page-state.ts';
 import type { SelectState } from './select-state.ts';
 
@@ -35,7 +35,6 @@ export class Selecting {
   #builtFrom: readonly unknown[] = [];
   #building: AbortController | null = null;
   #isWanted = false;
-  readonly #mirrors = new WeakMap<Mesh, Map<number, Promise<MirrorMap>>>();
 
   constructor(store: PageStore, editor: Editor) {
     this.#store = store;
@@ -101,20 +100,11 @@ export class Selecting {
     const { selection } = this;
     if (!mesh || !selection || selection.count === 0) return;
     const axes = axis === undefined ? ([0, 1, 2] as const) : [axis];
-    const maps = await Promise.all(axes.map((one) => this.mirrorOf(mesh, one)));
+    const maps = await Promise.all(axes.map((one) => mirrorOf(mesh, one)));
     const map = maps.reduce((best, other) => (other.alone < best.alone ? other : best));
     if (mesh !== this.#mesh || selection !== this.selection) return;
     const both = combined(selection, selectedVertices(mirrored(selection, map)), 'add');
     this.put(both, mirrorRemark(selection, map));
-  }
-
-  /** Which vertices lie opposite each other on the file's own shape; found once a mesh and axis. */
-  mirrorOf(mesh: Mesh, axis: MirrorPlane['axis']): Promise<MirrorMap> {
-    const known = this.#mirrors.get(mesh) ?? new Map<number, Promise<MirrorMap>>();
-    this.#mirrors.set(mesh, known);
-    const map = known.get(axis) ?? inSlices(mirrorMap(gather(mesh.positions, weldOf(mesh)), axis));
-    known.set(axis, map);
-    return map;
   }
 
   /** The selected vertices as the file numbers them: the first position of each. */

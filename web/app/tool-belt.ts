@@ -1,4 +1,3 @@
-import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { Tools } from '../tools/all.ts';
 import type { Tool, ToolId } from '../tools/tool.ts';
@@ -35,10 +34,12 @@ export class ToolBelt {
     this.#store = store;
     this.#interaction = interaction;
     this.all = tools;
-    let mesh: Mesh | undefined;
-    store.subscribe(({ project }) => {
-      if (project?.mesh === mesh) return;
-      mesh = project?.mesh;
+    // Another mesh takes all layers away, and what the tool was in the middle of is over.
+    interaction?.viewer.onShape((change) => {
+      if (change !== 'mesh') return;
+      interaction.cancel();
+      this.current?.leave();
+      this.current?.enter();
       this.#tellReady();
     });
   }

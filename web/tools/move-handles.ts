@@ -4,7 +4,7 @@ import { type Affine, translation } from '../../src/mesh/affine.ts';
 import { diagonalOf } from '../../src/mesh/extent.ts';
 import { subtract, type Vec3 } from '../../src/mesh/vectors.ts';
 import { solvedSourceTriangles, weldOf } from '../../src/mesh/weld.ts';
-import { discAround, inSlices, mirrorMap } from '../../src/selection/index.ts';
+import { discAround } from '../../src/selection/index.ts';
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import { Gizmo, type GizmoMode } from '../../src/viewer/gizmo.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
@@ -81,7 +81,7 @@ export class MoveHandles implements Tool {
   set(change: Partial<MoveOptions>): void {
     this.options = { ...this.options, ...change };
     this.#gizmo.mode = this.options.gizmo;
-    if (change.mirror !== undefined) void this.#findMirror(change.mirror);
+    this.#parts.handles.isMirrored = this.options.mirror;
     this.#parts.store.set({});
   }
 
@@ -280,16 +280,6 @@ export class MoveHandles implements Tool {
     return Array.from(vertices, (vertex) => positionOfVertex[vertex]!);
   }
 
-  async #findMirror(isOn: boolean): Promise<void> {
-    const { store, handles, surface } = this.#parts;
-    const { project } = store.state;
-    handles.mirror = null;
-    if (!isOn || !project) return;
-    const { places } = await surface.ready(project);
-    const map = await inSlices(mirrorMap(places, 0));
-    if (this.options.mirror && store.state.project?.mesh === project.mesh) handles.mirror = map;
-  }
-
   #axesOf(vertices: readonly number[]): readonly [number, number, number, number] | undefined {
     const { project } = this.#parts.store.state;
     if (!this.options.ownAxes || !project) return undefined;
@@ -302,6 +292,7 @@ export class MoveHandles implements Tool {
     const { active, groups } = handles;
     const { project } = store.state;
     if (project) this.#parts.surface.of(project);
+    handles.seekMirror();
     this.#layers.show(groups, active, handles.handles, project);
     if (!active || this.typed || this.#gesture?.kind === 'pull') this.#gizmo.hide();
     else this.#gizmo.show(targetCenter(handles.handles, active.vertices), this.#axesOf(active.vertices));

@@ -11,10 +11,11 @@ import {
   SurfaceCanvas,
   unpainted,
 } from '../../src/painting/index.ts';
-import { inSlices, type MirrorMap, mirrorMap, type SurfacePoint } from '../../src/selection/index.ts';
+import type { MirrorMap, SurfacePoint } from '../../src/selection/index.ts';
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { Hit } from '../../src/viewer/picking/picking.ts';
+import { Mirror } from '../app/mirrors.ts';
 import type { PageStore } from '../app/page-state.ts';
 import type { Selectable } from '../app/selectable.ts';
 import type { StrengthActions } from '../app/strength-actions.ts';
@@ -70,7 +71,7 @@ export class PaintStrength implements Tool {
   /** The gesture that is under way has been shown. */
   #isPreviewed = false;
   /** Of the mesh that it was found for. */
-  #mirror: { readonly mesh: Mesh; readonly map: MirrorMap | null } | null = null;
+  readonly #mirror = new Mirror();
   readonly #ball = new BallBrush();
   #unlisten: (() => void) | null = null;
   /** Where the face looks that a pointer is over, for the ball to show. */
@@ -101,7 +102,6 @@ export class PaintStrength implements Tool {
 
   set(change: Partial<PaintOptions>): void {
     this.options = { ...this.options, ...change };
-    if (change.mirror) void this.#findMirror();
     this.#parts.store.set({});
   }
 
@@ -309,17 +309,7 @@ export class PaintStrength implements Tool {
 
   /** The mirror of this mesh, where it is wanted and known. */
   #mirrorOf(mesh: Mesh): MirrorMap | null {
-    return this.options.mirror && this.#mirror?.mesh === mesh ? this.#mirror.map : null;
-  }
-
-  async #findMirror(): Promise<void> {
-    const { project } = this.#parts.store.state;
-    if (!project || this.#mirror?.mesh === project.mesh) return;
-    const { mesh } = project;
-    this.#mirror = { mesh, map: null };
-    const { places } = await this.#parts.surface.ready(project);
-    const map = await inSlices(mirrorMap(places, 0));
-    if (this.#mirror.mesh === mesh) this.#mirror = { mesh, map };
+    return this.options.mirror ? this.#mirror.of(mesh, () => {}) : null;
   }
 
   /** Brings colours and ball to what the project has. */
@@ -336,7 +326,7 @@ export class PaintStrength implements Tool {
       return;
     }
     this.#surface(); // it is made meanwhile
-    if (this.options.mirror) void this.#findMirror();
+    this.#mirrorOf(project.mesh); // so is this
     if (this.#gesture?.kind === 'surface') return;
     this.#view.show({ mesh: project.mesh, rest, shares: this.#strength.shares, field: this.field });
     this.onBall();

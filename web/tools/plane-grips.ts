@@ -36,8 +36,7 @@ export class PlaneGrips {
   show(): void {
     const { planes, project } = this.#planes;
     const now = [project?.mesh, ...planes];
-    const isDrawn = this.#names.every((name) => this.#interaction.layers.names.includes(name));
-    if (isDrawn && now.length === this.#shown.length && now.every((one, k) => one === this.#shown[k])) return;
+    if (now.length === this.#shown.length && now.every((one, k) => one === this.#shown[k])) return;
     this.clear();
     this.#shown = now;
     planes.forEach((plane, index) => {

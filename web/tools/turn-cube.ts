@@ -41,6 +41,7 @@ type Gesture =
     };
 
 const color = '#2f7dd1';
+const layerNames = ['cube-edges', 'cube-grips'] as const;
 /** CSS pixels from the middle of a side within which it is taken. */
 const grabRadius = 22;
 
@@ -53,6 +54,8 @@ export class TurnCube implements Tool {
   #isScheduled = false;
   #unlisten: (() => void) | null = null;
   #shown: readonly unknown[] = [];
+  /** The last box that was measured: pointing asks for it again and again, and a large mesh takes its time. */
+  #box: { readonly rest: unknown; readonly members: unknown; readonly box: Box } | null = null;
 
   constructor(parts: CubeParts) {
     this.#parts = parts;
@@ -70,8 +73,7 @@ export class TurnCube implements Tool {
     this.#unlisten?.();
     this.#unlisten = null;
     this.#gizmo.hide();
-    for (const name of ['cube-edges', 'cube-sides', 'cube-grips'])
-      this.#parts.interaction.layers.set(name, null);
+    for (const name of layerNames) this.#parts.interaction.layers.set(name, null);
   }
 
   hover(pointer: CanvasPointer | null): void {
@@ -89,7 +91,7 @@ export class TurnCube implements Tool {
       const at = this.#sidePlace(side);
       const plane = new ViewPlane(interaction.picking, pointer, at);
       const frame = this.#frame()!;
-      const outward = scale(this.#turned(side), 1);
+      const outward = this.#turned(side);
       const axis = side.findIndex((part) => part !== 0) as 0 | 1 | 2;
       this.#gesture = { kind: 'stretch', axis, from: cube.axes, plane, outward, frame, axes: cube.axes };
       return true;
@@ -146,10 +148,16 @@ export class TurnCube implements Tool {
     if (!project || !rest) return null;
     const { region } = cube;
     const positions = region === null ? null : cube.regions[region]!.vertices;
-    const { center, reach } = boxOf(rest, positions ?? project.mesh.triangles);
+    const { center, reach } = this.#boxOf(rest, positions ?? project.mesh.triangles);
     const longest = Math.max(...cube.rows.map((row) => Math.hypot(...row)), 1e-3);
     const gesture = this.#gesture?.kind === 'stretch' ? this.#gesture.frame : null;
     return gesture ?? { center, unit: (1.75 * reach) / longest };
+  }
+
+  #boxOf(rest: Float64Array, members: ArrayLike<number>): Box {
+    if (this.#box?.rest !== rest || this.#box.members !== members)
+      this.#box = { rest, members, box: boxOf(rest, members) };
+    return this.#box.box;
   }
 
   #show(): void {
@@ -158,7 +166,7 @@ export class TurnCube implements Tool {
     const frame = project && cube.isTurnable ? this.#frame() : null;
     if (!frame) {
       this.#gizmo.hide();
-      for (const name of ['cube-edges', 'cube-sides', 'cube-grips']) interaction.layers.set(name, null);
+      for (const name of layerNames) interaction.layers.set(name, null);
       return;
     }
     const { orientation, rows } = cube;
@@ -274,7 +282,12 @@ function quaternionOf({ rows: [a, b, c] }: Affine): Quaternion {
 }
 
 /** The middle of the box of some positions, and half of its longest side. */
-function boxOf(shape: ArrayLike<number>, positions: ArrayLike<number>): { center: Vec3; reach: number } {
+interface Box {
+  readonly center: Vec3;
+  readonly reach: number;
+}
+
+function boxOf(shape: ArrayLike<number>, positions: ArrayLike<number>): Box {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
   for (let k = 0; k < positions.length; k++)
