@@ -49,8 +49,10 @@ describe('a mirror', () => {
     await found(first);
     const map = mirror.of(first, () => {});
     expect(map!.partner).toHaveLength(4);
+    const other = found(second);
     expect(mirror.of(second, () => {})).toBeNull();
-    await new Promise((done) => setTimeout(done, 0));
+    await other;
+    expect(mirror.of(second, () => {})!.partner).toHaveLength(4);
     expect(mirror.of(second, () => {})).not.toBe(map);
   });
 });

@@ -14,13 +14,12 @@ export function drawArrows(layer: ArrowsLayer, surface: Surface): DrawnLayer {
   const from = toView(layer.from, surface);
   const to = toView(layer.to, surface);
   const ways = Array.from({ length: from.length / 3 }, (_, k) => ({
+    k,
     start: new Vector3(...row(from, k)),
     end: new Vector3(...row(to, k)),
   })).filter(({ start, end }) => start.distanceTo(end) > head / 2);
-  const places = ways.flatMap(({ start, end }) => [...start.toArray(), ...end.toArray()]);
-  const { center, scale } = surface.frame;
-  const inFile = places.map((value, k) => value / scale + center[k % 3]!);
-  const shafts = drawLines({ kind: 'lines', places: inFile, width, color, depth }, surface);
+  const places = ways.flatMap(({ k }) => [...row(layer.from, k), ...row(layer.to, k)]);
+  const shafts = drawLines({ kind: 'lines', places, width, color, depth }, surface);
   const geometry = new ConeGeometry(head * 0.36, head, 12).translate(0, -head / 2, 0);
   const material = new MeshBasicMaterial({ color, toneMapped: false, depthTest: depth === 'hidden-behind' });
   material.transparent = true;

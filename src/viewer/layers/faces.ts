@@ -13,7 +13,7 @@ import {
 import type { Surface } from '../surface.ts';
 import type { DrawnLayer, FacesLayer, SheetLayer } from './layer.ts';
 import { toView } from './lines.ts';
-import { letGo, passesOf } from './points.ts';
+import { letGo, passesOf } from './passes.ts';
 
 /** Some of the surface's triangles, tinted, over its own buffer of positions. */
 export function drawFaces(layer: FacesLayer, surface: Surface): DrawnLayer {

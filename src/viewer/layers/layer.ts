@@ -28,8 +28,6 @@ export interface LinesLayer extends Paint {
   readonly places?: ArrayLike<number>;
   /** In CSS pixels. */
   readonly width: number;
-  /** Length of dashes in view units; default none. */
-  readonly dash?: number;
 }
 
 /** Triangles of the surface, tinted. */

@@ -4,7 +4,7 @@ import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
 import type { Surface } from '../surface.ts';
 import type { DrawnLayer, LinesLayer } from './layer.ts';
-import { passesOf } from './points.ts';
+import { passesOf } from './passes.ts';
 
 /** Lines of a width in pixels. */
 export function drawLines(layer: LinesLayer, surface: Surface): DrawnLayer {
@@ -18,12 +18,7 @@ export function drawLines(layer: LinesLayer, surface: Surface): DrawnLayer {
     material.depthWrite = false;
     material.depthTest = layer.depth !== 'in-front';
     if (isBehind) material.depthFunc = GreaterDepth;
-    if (layer.dash !== undefined) {
-      material.dashed = true;
-      material.dashSize = material.gapSize = layer.dash;
-    }
     const lines = new LineSegments2(geometry, material);
-    if (layer.dash !== undefined) lines.computeLineDistances();
     lines.frustumCulled = false;
     lines.renderOrder = 2;
     object.add(lines);

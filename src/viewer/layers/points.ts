@@ -1,6 +1,7 @@
 import { BufferAttribute, BufferGeometry, Color, GreaterDepth, Group, Points, ShaderMaterial } from 'three';
 import type { Surface } from '../surface.ts';
 import type { DrawnLayer, PointsLayer } from './layer.ts';
+import { letGo, passesOf } from './passes.ts';
 
 /** Dots over the surface's own buffer of positions: they move with it at no cost. */
 export function drawPoints(layer: PointsLayer, surface: Surface): DrawnLayer {
@@ -25,12 +26,6 @@ export function drawPoints(layer: PointsLayer, surface: Surface): DrawnLayer {
       for (const material of materials) material.dispose();
     },
   };
-}
-
-/** The passes in which something is drawn so that it is seen behind the surface as it should. */
-export function passesOf(depth: PointsLayer['depth']): readonly { opacity: number; isBehind: boolean }[] {
-  const plain = { opacity: 1, isBehind: false };
-  return depth === 'faint-behind' ? [{ opacity: 0.28, isBehind: true }, plain] : [plain];
 }
 
 /** Round dots with a rim, a little nearer than they are so that the surface they lie on does not cut them. */
@@ -61,10 +56,4 @@ function dots({ color, size }: PointsLayer, opacity: number): ShaderMaterial {
         #include <colorspace_fragment>
       }`,
   });
-}
-
-/** Frees a geometry that may draw from the surface's own buffer of positions, which stays. */
-export function letGo(geometry: BufferGeometry): void {
-  geometry.deleteAttribute('position');
-  geometry.dispose();
 }

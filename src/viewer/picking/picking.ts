@@ -1,6 +1,6 @@
-import { DoubleSide, Ray, Raycaster, Sphere, Vector2, Vector3 } from 'three';
-import { INTERSECTED, type MeshBVH, NOT_INTERSECTED } from 'three-mesh-bvh';
-import { distance, doubledAreaVector, row, subtract, unit, type Vec3 } from '../../mesh/vectors.ts';
+import { DoubleSide, type Ray, Raycaster, Vector2, Vector3 } from 'three';
+import type { MeshBVH } from 'three-mesh-bvh';
+import { doubledAreaVector, row, subtract, unit, type Vec3 } from '../../mesh/vectors.ts';
 import type { CanvasPointer } from '../canvas-tool.ts';
 import type { Surface } from '../surface.ts';
 import type { ShapeChange, Viewer } from '../viewer.ts';
@@ -98,44 +98,6 @@ export class Picking {
     const { clientWidth: width, clientHeight: height } = this.#viewer.canvas;
     const place = overlay.localToWorld(this.#toView(point)).project(camera);
     return { x: ((place.x + 1) * width) / 2, y: ((1 - place.y) * height) / 2, depth: place.z };
-  }
-
-  /** Whether nothing of the surface is before one of its positions. */
-  sees(position: number): boolean {
-    const tree = this.#tree;
-    if (!tree || !this.#surface) return true;
-    const { camera, overlay } = this.#viewer.space;
-    const eye = overlay.worldToLocal(camera.getWorldPosition(new Vector3()));
-    const target = new Vector3(...row(this.#surface.drawn, position));
-    const way = target.distanceTo(eye);
-    const ray = new Ray(eye, target.sub(eye).normalize());
-    const found = tree.raycastFirst(ray, DoubleSide);
-    return !found || found.distance > way - 2e-3;
-  }
-
-  /** Visits each position of the faces that a ball reaches and that is itself in the ball, once, with its distance in the file's units. */
-  around(center: Vec3, radius: number, visit: (position: number, away: number) => void): void {
-    const tree = this.#tree;
-    const surface = this.#surface;
-    if (!tree || !surface) return;
-    const { scale } = surface.frame;
-    const middle = this.#toView(center);
-    const ball = new Sphere(middle, radius * scale);
-    const at = middle.toArray() as Vec3;
-    const seen = new Set<number>();
-    tree.shapecast({
-      intersectsBounds: (box) => (box.intersectsSphere(ball) ? INTERSECTED : NOT_INTERSECTED),
-      intersectsTriangle: (_, face) => {
-        for (let corner = 3 * face; corner < 3 * face + 3; corner++) {
-          const position = surface.triangles[corner]!;
-          if (seen.has(position)) continue;
-          seen.add(position);
-          const away = distance(row(surface.drawn, position), at) / scale;
-          if (away < radius) visit(position, away);
-        }
-        return false;
-      },
-    });
   }
 
   dispose(): void {
