@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "mesh/adjacency.h"
+#include "mesh/edges.h"
 #include "mesh/unit_frame.h"
 #include "mesh/validate.h"
 #include "support/shapes.h"
@@ -132,4 +134,29 @@ TEST_CASE("a typical part is that of the middle vertex") {
   TriangleMesh many = sphere(1);
   for (int n = 1; n < 30; ++n) many = together(many, sphere(1), Vec3(3 * n, 0, 0));
   CHECK(inspect(together(many, sphere(3), Vec3(0, 5, 0))).typicalPart == 18);
+}
+
+TEST_CASE("edges know their half edges, on borders and where three faces meet") {
+  Triangles triangles(4, 3);
+  triangles << 0, 1, 2, 1, 0, 3, 0, 1, 4, 2, 2, 5;
+  const MeshEdges edges(triangles, 6);
+  REQUIRE(edges.count() == 8);
+  CHECK(edges.ends[0] == std::array<Index, 2>{0, 1});
+  CHECK(std::vector<Index>(edges.halfEdges.begin(), edges.halfEdges.begin() + 3) == std::vector<Index>{0, 3, 6});
+  CHECK(std::is_sorted(edges.ends.begin(), edges.ends.end()));
+  CHECK(edges.ofHalfEdge[9] == -1);
+  CHECK(edges.ofHalfEdge[10] == edges.ofHalfEdge[11]);
+
+  const TriangleMesh torus = whittle::testing::torus(9);
+  const MeshEdges closed(torus.triangles, torus.vertexCount());
+  CHECK(closed.count() == 3 * 81);
+  for (Index e = 0; e < closed.count(); ++e) {
+    REQUIRE(closed.faceCountAt(e) == 2);
+    for (Index place = closed.start[e]; place < closed.start[e + 1]; ++place) {
+      const Index h = closed.halfEdges[place], f = faceOf(h);
+      CHECK(closed.ofHalfEdge[h] == e);
+      CHECK(std::minmax(torus.triangles(f, tailCorner(h)), torus.triangles(f, headCorner(h))) ==
+            std::minmax(closed.ends[e][0], closed.ends[e][1]));
+    }
+  }
 }
