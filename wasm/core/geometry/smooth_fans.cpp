@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/surface.h"
 #include "mesh/adjacency.h"
 #include "mesh/disjoint_sets.h"
 
@@ -14,29 +15,8 @@ namespace {
 const double kLeastCosine = std::cos(55 * EIGEN_PI / 180);
 /// Faces that are all nearer than this to one direction bend by less than that between any two.
 const double kLeastCosineOfMean = std::cos(27.5 * EIGEN_PI / 180);
-/// A face whose doubled area is below this share of its longest edge squared has no normal but rounding: files hold
-/// positions in single precision.
-constexpr double kNoArea = 1e-6;
 /// Faces of one edge are held against so many before them: enough for every edge of a surface, and never a square.
 constexpr int kMostFacesOfEdge = 8;
-
-/// Unit face normals, #F×3; zero where rounding would decide.
-Points sureNormals(const Points& positions, const Triangles& triangles) {
-  Points normals(triangles.rows(), 3);
-  for (Index f = 0; f < triangles.rows(); ++f) {
-    const Eigen::RowVector3d a = positions.row(triangles(f, 0)), b = positions.row(triangles(f, 1)),
-                             c = positions.row(triangles(f, 2));
-    const Eigen::RowVector3d vector = (b - a).cross(c - a);
-    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    const double length = vector.norm();
-    if (length > kNoArea * longest) {
-      normals.row(f) = vector / length;
-    } else {
-      normals.row(f).setZero();
-    }
-  }
-  return normals;
-}
 
 /// Vertices whose faces may bend too much, #V. All others have one fan, which is quickly told.
 std::vector<bool> mayBend(const Points& normals, const Triangles& triangles, Index vertexCount) {

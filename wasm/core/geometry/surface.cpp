@@ -1,8 +1,14 @@
 #include "geometry/surface.h"
 
+#include <algorithm>
+
 namespace whittle {
 
 namespace {
+
+/// A face whose doubled area is below this share of its longest edge squared has no normal but rounding: files hold
+/// positions in single precision.
+constexpr double kNoArea = 1e-6;
 
 Vec3 doubledAreaVector(const Points& positions, const Triangles& triangles, Index f) {
   const Vec3 a = positions.row(triangles(f, 0)).transpose();
@@ -130,6 +136,23 @@ void faceNormals(const Points& positions, const Triangles& triangles, Points& no
   for (Index f = 0; f < triangles.rows(); ++f) {
     normals.row(f) = doubledAreaVector(positions, triangles, f).stableNormalized().transpose();
   }
+}
+
+Points sureNormals(const Points& positions, const Triangles& triangles) {
+  Points normals(triangles.rows(), 3);
+  for (Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = positions.row(triangles(f, 0)), b = positions.row(triangles(f, 1)),
+                             c = positions.row(triangles(f, 2));
+    const Eigen::RowVector3d vector = (b - a).cross(c - a);
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double length = vector.norm();
+    if (length > kNoArea * longest) {
+      normals.row(f) = vector / length;
+    } else {
+      normals.row(f).setZero();
+    }
+  }
+  return normals;
 }
 
 }  // namespace whittle

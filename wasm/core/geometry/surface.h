@@ -41,5 +41,7 @@ void fanNormals(const Points& positions, const Triangles& triangles, const Smoot
 Points faceNormals(const Points& positions, const Triangles& triangles);
 /// Face normals without allocating, into `normals` (#F×3).
 void faceNormals(const Points& positions, const Triangles& triangles, Points& normals);
+/// Unit face normals, #F×3; zero where rounding would decide, as on needles and caps that are lines but for it.
+Points sureNormals(const Points& positions, const Triangles& triangles);
 
 }  // namespace whittle
