@@ -56,7 +56,8 @@ const coreArrows: Record<string, string[]> = {
   linear: ['simd', 'base'],
   targets: ['geometry', 'mesh', 'simd', 'base'],
   constraints: ['geometry', 'linear', 'mesh', 'simd', 'base'],
-  methods: ['constraints', 'targets', 'linear', 'geometry', 'mesh', 'simd', 'base'],
+  remeshing: ['geometry', 'mesh', 'simd', 'base'],
+  methods: ['constraints', 'targets', 'remeshing', 'linear', 'geometry', 'mesh', 'simd', 'base'],
   session: ['methods', 'constraints', 'targets', 'mesh', 'base'],
 };
 

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "mesh/bounding_box.h"
 
 namespace whittle {
 
-/// A tree of boxes, for finding those that meet another. Built slice by slice.
+/// A tree of boxes, for finding those that meet another, or are near a point. Built slice by slice.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes);
@@ -34,6 +35,34 @@ class BoxTree {
       }
     }
     return false;
+  }
+
+  /// Calls `visit(i)` for boxes that are nearer to a point than `reach`, a squared distance; visit returns the reach
+  /// from then on. Near boxes come early, so that what they hold soon rules out the others. Allocates nothing.
+  template <typename Visit>
+  void findNear(const Vec3& point, double reach, Visit&& visit) const {
+    struct Open {
+      Index node;
+      double distance;
+    } stack[kMostDepth];
+    int depth = 0;
+    stack[depth++] = {0, 0};
+    while (depth > 0) {
+      const auto [place, away] = stack[--depth];
+      if (away >= reach) continue;
+      const Node& node = nodes_[place];
+      if (node.child >= 0) {
+        Open near{node.child, nodes_[node.child].box.squaredExteriorDistance(point)};
+        Open far{node.child + 1, nodes_[node.child + 1].box.squaredExteriorDistance(point)};
+        if (far.distance < near.distance) std::swap(near, far);
+        stack[depth++] = far;
+        stack[depth++] = near;
+        continue;
+      }
+      for (Index i = node.first; i < node.end; ++i) {
+        if (boxes_[i].squaredExteriorDistance(point) < reach) reach = visit(indices_[i]);
+      }
+    }
   }
 
  private:
