@@ -36,7 +36,7 @@ describe('walls of the house', () => {
       expect(readFileSync(file, 'utf8'), file).not.toMatch(/emscripten/i);
   });
 
-  test.each(['vector', 'rotation', 'rotations', 'scalars', 'handles'])(
+  test.each(['vector', 'rotation', 'rotations', 'scalars', 'handles', 'chains'])(
     'the kind of value “%s” is known to its own file and its table alone',
     (kind) => {
       const quoted = new RegExp(`['"\`]${kind}['"\`]`);

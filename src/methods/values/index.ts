@@ -1,4 +1,5 @@
 import type { Weld } from '../../mesh/mesh.ts';
+import { chains } from './chains.ts';
 import { choice } from './choice.ts';
 import { flag } from './flag.ts';
 import { handles } from './handles.ts';
@@ -28,6 +29,7 @@ const kinds = {
   textureSlopes,
   handles,
   planes,
+  chains,
 };
 
 type Kind = (typeof kinds)[keyof typeof kinds];
