@@ -5,6 +5,7 @@ import type { MethodDescriptor } from './descriptor.ts';
 import { developable } from './developable.ts';
 import { normalmap } from './normalmap.ts';
 import { polycube } from './polycube.ts';
+import { reshape } from './reshape.ts';
 import { spherical } from './spherical.ts';
 
 /** All methods, in the order in which the page offers them. A contract test holds it against the core's own list. */
@@ -14,6 +15,7 @@ export const methods: readonly MethodDescriptor[] = [
   polycube,
   developable,
   normalmap,
+  reshape,
   arap,
   spherical,
 ];

@@ -93,6 +93,7 @@ describe('arrows of the house', () => {
     const doors = [
       'sparse_cholesky',
       'conjugate_gradients',
+      'matrix_field_system',
       'constrained_quadratic',
       'ordering',
       'elimination_tree', // for the order of the vertices

@@ -30,7 +30,7 @@ describe('what is offered', () => {
     expect(methodsByIntent().map(({ title, methods }) => [title, ...methods.map(({ id }) => id)])).toEqual([
       ['Carve', 'cubic', 'analogy', 'polycube', 'normalmap'],
       ['Fold', 'developable'],
-      ['Move', 'arap'],
+      ['Move', 'reshape', 'arap'],
     ]);
   });
 

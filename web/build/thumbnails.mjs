@@ -18,6 +18,7 @@ const methods = {
   polycube: ['rabbit', {}],
   normalmap: ['jar', { image: 'weave', strength: 2, repeat: 2 }],
   developable: ['rabbit', { creases: 1, maxIterations: 600 }],
+  reshape: ['vase', { handles: longNeck() }],
   arap: ['rabbit', { handles: longEars() }],
 };
 
@@ -70,6 +71,21 @@ function longEars() {
   const pulled = vertices.filter((v) => share(v) > 0.93);
   const targets = pulled.map(place).map(([x, y, z]) => [x, y + 0.55 * size, z - 0.1 * size]);
   return { vertices: [...held, ...pulled], targets: [...held.map(place), ...targets] };
+}
+
+/** Holds the vase's foot and raises its rim. */
+function longNeck() {
+  const { positions } = readMesh(readFileSync(join(root, 'public/samples/vase.obj')), 'vase.obj').mesh;
+  const vertices = [...positions.keys()].filter((k) => k % 3 === 0).map((k) => k / 3);
+  const heights = vertices.map((v) => positions[3 * v + 1]);
+  const low = heights.reduce((a, b) => Math.min(a, b));
+  const size = heights.reduce((a, b) => Math.max(a, b)) - low;
+  const share = (v) => (heights[v] - low) / size;
+  const place = (v) => [...positions.subarray(3 * v, 3 * v + 3)];
+  const held = vertices.filter((v) => share(v) < 0.02);
+  const raised = vertices.filter((v) => share(v) > 0.98);
+  const targets = raised.map(place).map(([x, y, z]) => [x, y + 0.6 * size, z]);
+  return { vertices: [...held, ...raised], targets: [...held.map(place), ...targets] };
 }
 
 /** Waits until an entry for undo begins so, and for its shape. */

@@ -1,5 +1,6 @@
 #include "methods/registry.h"
 
+#include "methods/alternating/reshape.h"
 #include "methods/local_global/arap.h"
 #include "methods/local_global/cubic/cubic.h"
 #include "methods/local_global/normal_driven/analogy.h"
@@ -12,8 +13,8 @@ namespace whittle {
 
 const std::vector<MethodInfo>& methodRegistry() {
   static const std::vector<MethodInfo> methods = {cubicMethod(),       analogyMethod(),   polycubeMethod(),
-                                                  developableMethod(), normalmapMethod(), arapMethod(),
-                                                  sphericalMethod()};
+                                                  developableMethod(), normalmapMethod(), reshapeMethod(),
+                                                  arapMethod(),        sphericalMethod()};
   return methods;
 }
 

@@ -3,6 +3,7 @@
 // All kinds of values that parameters have: the type of the value, how it is read and checked, described, put into the
 // vertices' order and compared. A new kind is one file and its line here.
 
+#include "methods/values/chains.h"
 #include "methods/values/choice.h"
 #include "methods/values/choice_or_rows.h"
 #include "methods/values/flag.h"

@@ -1,0 +1,166 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "geometry/surface.h"
+#include "methods/values/handles.h"
+#include "support/round_shapes.h"
+#include "support/runs.h"
+#include "support/shapes.h"
+
+using namespace whittle;
+using namespace whittle::testing;
+
+namespace {
+
+/// Handles of all vertices that `chooses` takes, moved as `move` says.
+template <typename Chooses, typename Move>
+Handles handlesOn(const TriangleMesh& mesh, Chooses chooses, Move move) {
+  Handles handles;
+  std::vector<Vec3> targets;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 place = mesh.positions.row(v).transpose();
+    if (!chooses(place)) continue;
+    handles.vertices.push_back(v);
+    targets.push_back(move(place));
+  }
+  handles.targets.resize(static_cast<Index>(targets.size()), 3);
+  for (Index i = 0; i < handles.targets.rows(); ++i) handles.targets.row(i) = targets[i].transpose();
+  return handles;
+}
+
+struct Reshaping {
+  TriangleMesh mesh;
+  Handles handles;
+  std::string variant = "slippage";
+  std::string reading = "tuned";
+
+  Run run() const {
+    Session session;
+    REQUIRE(session.load(mesh).ok());
+    REQUIRE(session.select("reshape").ok());
+    REQUIRE(session.set("variant", encoded(variant)).ok());
+    REQUIRE(session.set("reading", encoded(reading)).ok());
+    REQUIRE(session.set("handles", encoded(handles)).ok());
+    REQUIRE(session.prepare().ok());
+    return finish(session);
+  }
+};
+
+constexpr double kHeight = 4;
+
+/// A staggered cylinder, held at one end and pulled out at the other: whole caps, or their middles.
+Reshaping pulledCylinder(bool wholeCaps, double factor) {
+  Reshaping reshaping{cylinder(32, 24, 5, 1, kHeight, true), {}};
+  const auto isEnd = [=](const Vec3& p) {
+    const bool isOnCap = p.z() < 1e-9 || p.z() > kHeight - 1e-9;
+    return isOnCap && (wholeCaps || p.head<2>().norm() < 1e-9);
+  };
+  reshaping.handles = handlesOn(reshaping.mesh, isEnd, [=](const Vec3& p) {
+    return Vec3(p.x(), p.y(), p.z() > kHeight / 2 ? factor * p.z() : p.z());
+  });
+  return reshaping;
+}
+
+/// Mean radius of the side about z, over that at rest.
+double radiusRatio(const TriangleMesh& mesh, const Points& positions) {
+  double sum = 0, count = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Eigen::RowVector3d rest = mesh.positions.row(v);
+    if (rest.head<2>().norm() < 0.999 || rest.z() < 0.5 || rest.z() > kHeight - 0.5) continue;
+    sum += positions.row(v).head<2>().norm();
+    ++count;
+  }
+  return sum / count;
+}
+
+double largestTurn(const TriangleMesh& mesh, const Points& positions) {
+  const Points before = faceNormals(mesh.positions, mesh.triangles), after = faceNormals(positions, mesh.triangles);
+  return std::acos(std::min(1.0, before.cwiseProduct(after).rowwise().sum().minCoeff())) * 180 / EIGEN_PI;
+}
+
+}  // namespace
+
+TEST_CASE("a cylinder that is lengthened keeps its radius; as printed it grows fat") {
+  for (const bool wholeCaps : {true, false}) {
+    for (const double factor : {1.6, 0.7}) {
+      Reshaping reshaping = pulledCylinder(wholeCaps, factor);
+      const Run run = reshaping.run();
+      CHECK(run.outcome == Outcome::converged);
+      CHECK(radiusRatio(reshaping.mesh, run.positions) == doctest::Approx(1).epsilon(0.01));
+      CHECK(run.positions.col(2).maxCoeff() == doctest::Approx(factor * kHeight).epsilon(0.001));
+      CHECK(largestTurn(reshaping.mesh, run.positions) < 3);
+    }
+  }
+  Reshaping printed = pulledCylinder(false, 1.6);
+  printed.reading = "published";
+  const double ratio = radiusRatio(printed.mesh, printed.run().positions);
+  CHECK(ratio > 1.3);
+  CHECK(ratio < 1.6);
+}
+
+TEST_CASE("without a gesture every variant gives the input to the bit") {
+  for (const char* variant : {"slippage", "alup", "poisson", "arap", "conformal"}) {
+    Reshaping reshaping = pulledCylinder(true, 1);
+    reshaping.variant = variant;
+    CHECK(reshaping.run().positions == reshaping.mesh.positions);
+    reshaping.handles = {};
+    CHECK(reshaping.run().positions == reshaping.mesh.positions);
+  }
+}
+
+TEST_CASE("one handle alone takes everything along, and all handles go where they are told") {
+  Reshaping one{torus(12), {{7}, Points::Zero(1, 3)}};
+  const Eigen::RowVector3d move(0.3, -0.2, 0.5);
+  one.handles.targets.row(0) = one.mesh.positions.row(7) + move;
+  CHECK(((one.run().positions - one.mesh.positions).rowwise() - move).cwiseAbs().maxCoeff() < 1e-5);
+
+  Reshaping all{torus(12), {}};
+  const Mat3 stretch = Vec3(1.3, 1, 0.8).asDiagonal();
+  const auto everywhere = [](const Vec3&) { return true; };
+  all.handles = handlesOn(all.mesh, everywhere, [&](const Vec3& p) -> Vec3 { return stretch * p; });
+  CHECK((all.run().positions - all.handles.targets).rowwise().norm().maxCoeff() < 0.005 * 3);  // of the diagonal
+}
+
+TEST_CASE("a gesture that scales evenly gives an even scale in ALUP") {
+  Reshaping reshaping{turned(cylinder(16, 10, 3, 1, 2, true)), {}, "alup"};
+  const auto some = [&](const Vec3& p) { return static_cast<int>(std::abs(p.sum()) * 1000) % 23 == 0; };
+  reshaping.handles = handlesOn(reshaping.mesh, some, [](const Vec3& p) -> Vec3 { return 1.5 * p; });
+  REQUIRE(reshaping.handles.vertices.size() >= 4);
+  CHECK((reshaping.run().positions - 1.5 * reshaping.mesh.positions).cwiseAbs().maxCoeff() < 0.01);
+}
+
+TEST_CASE("another order of the vertices and another run change nothing that counts") {
+  const Reshaping reshaping = pulledCylinder(false, 1.6);
+  const Run run = reshaping.run();
+  CHECK(reshaping.run().positions == run.positions);
+
+  Reshaping other = reshaping;
+  other.mesh = shuffled(reshaping.mesh);
+  for (Index& v : other.handles.vertices) v = shuffledPlace(v, reshaping.mesh.vertexCount());
+  const Points shuffledPositions = other.run().positions;
+  double largest = 0;
+  for (Index v = 0; v < reshaping.mesh.vertexCount(); ++v) {
+    const Index place = shuffledPlace(v, reshaping.mesh.vertexCount());
+    largest = std::max(largest, (run.positions.row(v) - shuffledPositions.row(place)).norm());
+  }
+  CHECK(largest < 1e-3);
+}
+
+TEST_CASE("a run that goes on from the gesture before ends near the one from rest") {
+  Session session;
+  const Reshaping half = pulledCylinder(true, 1.5), whole = pulledCylinder(true, 1.6);
+  REQUIRE(session.load(half.mesh).ok());
+  REQUIRE(session.select("reshape").ok());
+  REQUIRE(session.set("handles", encoded(half.handles)).ok());
+  REQUIRE(session.prepare().ok());
+  finish(session);
+  REQUIRE(session.set("handles", encoded(whole.handles)).ok());
+  REQUIRE(session.prepare().ok());
+  StepReport report;
+  REQUIRE(session.step(report).ok());
+  Points warm(whole.mesh.vertexCount(), 3);
+  session.copyPositions(warm.data());
+  CHECK((warm - whole.run().positions).rowwise().norm().maxCoeff() < 0.01 * std::hypot(2.83, kHeight));
+}

@@ -1,0 +1,129 @@
+#include "linear/matrix_field_system.h"
+
+#include <Eigen/Cholesky>
+
+namespace whittle {
+
+namespace {
+
+/// y = B x of a node for a block of 27 rows of lanes.
+inline void multiply(const LaneRow* block, const LaneRow* x, Lanes y[3]) {
+  for (int j = 0; j < 3; ++j) y[j] = splat(0);
+  for (int k = 0; k < 3; ++k, block += 9) {
+    const float components[3] = {x[k].x, x[k].y, x[k].z};
+    for (int i = 0; i < 3; ++i) {
+      const Lanes c = loadSplat(components + i);
+      for (int j = 0; j < 3; ++j) y[j] += c * load(block + 3 * i + j);
+    }
+  }
+}
+
+void store(LaneRow* rows, const MatrixFieldSystem::Block& block) {
+  for (Index column = 0; column < 9; ++column) {
+    for (Index j = 0; j < 3; ++j) {
+      const auto entry = [&](Index i) { return static_cast<float>(block(3 * j + i, column)); };
+      rows[3 * column + j] = {entry(0), entry(1), entry(2), 0};
+    }
+  }
+}
+
+/// Scales and sums in double precision: a hundred thousand nodes would drown in single.
+double dot(const MatrixRows& a, const MatrixRows& b) {
+  DoubleLanes sum = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < a.size(); ++i) sum += toDouble(load(&a[i]) * load(&b[i]));
+  return sumOf(sum);
+}
+
+void addScaled(MatrixRows& y, double scale, const MatrixRows& x) {
+  const Lanes s = splat(static_cast<float>(scale));
+  for (std::size_t i = 0; i < y.size(); ++i) whittle::store(&y[i], load(&y[i]) + s * load(&x[i]));
+}
+
+}  // namespace
+
+void MatrixFieldSystem::shape(Graph graph) {
+  graph_ = std::move(graph);
+  const std::size_t rows = 3 * static_cast<std::size_t>(size());
+  diagonal_.assign(kBlockRows * static_cast<std::size_t>(size()), {});
+  inverse_.assign(diagonal_.size(), {});
+  couplings_.assign(graph_.neighbours.size(), {});
+  for (MatrixRows* scratch : {&preconditioned_, &direction_, &image_}) scratch->assign(rows, {});
+}
+
+Status MatrixFieldSystem::setDiagonal(Index node, const Block& block) {
+  const Eigen::LLT<Block> cholesky(block);
+  if (cholesky.info() != Eigen::Success)
+    return Status::failure(Code::numericalFailure, "a face is too thin to compute with; repair the mesh first");
+  store(&diagonal_[kBlockRows * static_cast<std::size_t>(node)], block);
+  store(&inverse_[kBlockRows * static_cast<std::size_t>(node)], cholesky.solve(Block::Identity()));
+  return {};
+}
+
+void MatrixFieldSystem::setCoupling(Index place, const Mat3& P) {
+  const auto entry = [&](int i, int j) { return static_cast<float>(P(i, j)); };
+  couplings_[place] = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+}
+
+void MatrixFieldSystem::apply(const MatrixRows& x, MatrixRows& y) const {
+  for (Index t = 0; t < size(); ++t) {
+    Lanes sums[3];
+    multiply(&diagonal_[kBlockRows * static_cast<std::size_t>(t)], &x[3 * t], sums);
+    for (Index place = graph_.start[t]; place < graph_.start[t + 1]; ++place) {
+      const Coupling& P = couplings_[place];
+      const LaneRow* neighbour = &x[3 * graph_.neighbours[place]];
+      const Lanes a = load(neighbour), b = load(neighbour + 1), c = load(neighbour + 2);
+      const Lanes xy = loadSplat(&P.xy), xz = loadSplat(&P.xz), yz = loadSplat(&P.yz);
+      sums[0] -= a * loadSplat(&P.xx) + b * xy + c * xz;
+      sums[1] -= a * xy + b * loadSplat(&P.yy) + c * yz;
+      sums[2] -= a * xz + b * yz + c * loadSplat(&P.zz);
+    }
+    for (int j = 0; j < 3; ++j) whittle::store(&y[3 * t + j], sums[j]);
+  }
+}
+
+double MatrixFieldSystem::precondition(const MatrixRows& r, MatrixRows& z) const {
+  DoubleLanes sum = {0, 0, 0, 0};
+  for (Index t = 0; t < size(); ++t) {
+    Lanes columns[3];
+    multiply(&inverse_[kBlockRows * static_cast<std::size_t>(t)], &r[3 * t], columns);
+    for (int j = 0; j < 3; ++j) {
+      sum += toDouble(load(&r[3 * t + j]) * columns[j]);
+      whittle::store(&z[3 * t + j], columns[j]);
+    }
+  }
+  return sumOf(sum);
+}
+
+double MatrixFieldSystem::squaredNorm(const MatrixRows& b) const {
+  double sum = 0;
+  for (Index t = 0; t < size(); ++t) {
+    Lanes columns[3];
+    multiply(&inverse_[kBlockRows * static_cast<std::size_t>(t)], &b[3 * t], columns);
+    for (int j = 0; j < 3; ++j) sum += sumOf(toDouble(load(&b[3 * t + j]) * columns[j]));
+  }
+  return sum;
+}
+
+int MatrixFieldSystem::solve(MatrixRows& residual, double squaredScale, const Limits& limits, MatrixRows& correction) {
+  std::fill(correction.begin(), correction.end(), LaneRow{});
+  const double small = limits.residual * limits.residual * squaredScale;
+  double squared = precondition(residual, preconditioned_);
+  direction_ = preconditioned_;
+  int iteration = 0;
+  for (; iteration < limits.iterations && squared > small; ++iteration) {
+    apply(direction_, image_);
+    const double curvature = dot(direction_, image_);
+    if (!(curvature > 0)) break;  // rounding has the last word
+    const double step = squared / curvature;
+    addScaled(correction, step, direction_);
+    addScaled(residual, -step, image_);
+    const double next = precondition(residual, preconditioned_);
+    const Lanes share = splat(static_cast<float>(next / squared));
+    for (std::size_t i = 0; i < direction_.size(); ++i)
+      whittle::store(&direction_[i], load(&preconditioned_[i]) + share * load(&direction_[i]));
+    squared = next;
+  }
+  return iteration;
+}
+
+}  // namespace whittle

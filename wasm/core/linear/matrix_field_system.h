@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include "base/status.h"
+#include "linear/graph.h"
+#include "simd/lanes.h"
+
+namespace whittle {
+
+/// 3×3 matrices in single precision, one a node: each is three rows of lanes, its columns.
+using MatrixRows = LaneRows;
+
+/// A symmetric positive definite system whose unknowns are 3×3 matrices X, one for each node of a graph:
+///
+///     (A X)_t = D_t X_t − Σ_s X_s P_ts      D_t 9×9 on the columns of X_t, P_ts = P_st symmetric 3×3
+///
+/// Nodes are coupled row by row, within a node everything may be. Solved by conjugate gradients with the inverses of
+/// the D_t for preconditioner, in single precision: for callers that solve for a correction of what they have.
+class MatrixFieldSystem {
+ public:
+  using Block = Eigen::Matrix<double, 9, 9>;
+
+  struct Limits {
+    double residual = 1e-4;  // ‖r‖ / ‖b‖ of the caller's right-hand side, both in the norm of the preconditioner
+    int iterations = 60;
+  };
+
+  /// Claims what a graph of nodes needs. All couplings are zero then.
+  void shape(Graph graph);
+  const Graph& graph() const { return graph_; }
+  Index size() const { return graph_.size(); }
+
+  /// Sets D_t. Fails with `numericalFailure` if it is not positive definite.
+  Status setDiagonal(Index node, const Block& block);
+  /// Sets P of a node and its neighbour at this place of `graph().neighbours`.
+  void setCoupling(Index place, const Mat3& P);
+
+  /// ‖b‖ in the norm of the preconditioner, squared: what `Limits::residual` refers to.
+  double squaredNorm(const MatrixRows& b) const;
+
+  /// Makes of a residual the correction X that A X = residual. Allocates nothing.
+  /// @param residual 3 #nodes rows, overwritten
+  /// @param squaredScale ‖b‖² of what the residual is a share of
+  /// @param correction 3 #nodes rows, out
+  /// @returns how many iterations it took
+  int solve(MatrixRows& residual, double squaredScale, const Limits& limits, MatrixRows& correction);
+
+ private:
+  /// Nine columns of three rows of lanes.
+  static constexpr Index kBlockRows = 27;
+  struct Coupling {
+    float xx, xy, xz, yy, yz, zz;
+  };
+
+  void apply(const MatrixRows& x, MatrixRows& y) const;
+  /// z = M⁻¹ r; returns rᵀ z.
+  double precondition(const MatrixRows& r, MatrixRows& z) const;
+
+  Graph graph_;
+  LaneRows diagonal_;  // of each node, column after column
+  LaneRows inverse_;
+  std::vector<Coupling> couplings_;  // one for each place of `neighbours`
+  MatrixRows preconditioned_, direction_, image_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "methods/alternating/transformation_system.h"
+#include "methods/alternating/vertex_system.h"
+#include "methods/method.h"
+
+namespace whittle {
+
+/// When a run ends (App. A). Lengths in the unit frame.
+struct AlternationLimits {
+  int iterations = 100;
+  double tolerance = 1e-5;  // of each vertex solve
+  MatrixFieldSystem::Limits transformations;
+  /// The move of an iteration times a fifth of their number, below which nobody sees what is still to come; 0: as
+  /// printed, only moves below a hundredth of the mean edge end the run.
+  double unseenMove = 0;
+};
+
+/// The alternating solves of a run: vertices for given transformations, transformations for given vertices. It ends when
+/// the energy rises (the best positions count), when nothing moves, when the energy hardly falls, or at the limit.
+class Alternation {
+ public:
+  /// Starts from the rest shape. Surface and systems, prepared, are kept by the caller.
+  void begin(const RestSurface& surface, const EnergyWeights& weights, VertexSystem& vertices,
+             TransformationSystem& transformations, const AlternationLimits& limits);
+  /// Starts from positions that an earlier run of the same surface came to: transformations are those that suit them.
+  void resume(const Points& positions);
+
+  /// One iteration. Allocates nothing. Fails with `numericalFailure`.
+  Status iterate(StepReport& report);
+
+  const Points& positions() const { return positions_; }
+  const Transformations& transformations() const { return tau_; }
+
+ private:
+  void setGoals();
+  Outcome judge(double energy, double move);
+
+  const RestSurface* surface_ = nullptr;
+  EnergyWeights weights_;
+  VertexSystem* vertices_ = nullptr;
+  TransformationSystem* system_ = nullptr;
+  AlternationLimits limits_;
+
+  Points positions_, previous_, best_;
+  Points halfEdges_;  // e, 3#F×3
+  Transformations tau_;
+  EdgeGoals goals_;
+  int iterations_ = 0;
+  double energyBefore_ = 0, bestEnergy_ = 0;
+};
+
+}  // namespace whittle

@@ -1,0 +1,30 @@
+#include "methods/alternating/fold_check.h"
+
+#include <algorithm>
+
+#include "geometry/surface.h"
+
+namespace whittle {
+
+FoldReport findFolds(const RestSurface& surface, const Points& positions) {
+  const Triangles& triangles = surface.mesh.triangles;
+  const auto qualityOf = [&](const Points& at, Index f) {
+    return triangleQuality(at.row(triangles(f, 0)), at.row(triangles(f, 1)), at.row(triangles(f, 2)));
+  };
+  const Points normals = faceNormals(positions, triangles);
+  FoldReport report;
+  std::vector<double> ratios;
+  ratios.reserve(surface.faceCount());
+  for (Index f = 0; f < surface.faceCount(); ++f) {
+    report.flipped += surface.faceNormals.row(f).dot(normals.row(f)) < 0;
+    const double rest = qualityOf(surface.mesh.positions, f);
+    if (rest > 0) ratios.push_back(qualityOf(positions, f) / rest);
+  }
+  if (ratios.empty()) return report;
+  const auto hundredth = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 100);
+  std::nth_element(ratios.begin(), hundredth, ratios.end());
+  report.poorQuality = *hundredth;
+  return report;
+}
+
+}  // namespace whittle

@@ -1,0 +1,215 @@
+#include "methods/alternating/reshape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/bounding_box.h"
+#include "methods/alternating/reshape_rows.h"
+
+namespace whittle {
+
+namespace {
+
+/// Handles that are farther from a straight continuation of a gesture, as a share of its length, are another gesture.
+constexpr double kStraightOn = 0.25;
+/// Rounding of a target that is where its vertex is.
+constexpr double kNoMove = 1e-9;
+/// How many times the gesture before may be taken.
+constexpr double kMostTimes = 3;
+
+ChoiceKind<Variant> variants() {
+  return {{{"slippage", Variant::slippage},
+           {"alup", Variant::alup},
+           {"poisson", Variant::poisson},
+           {"arap", Variant::arap},
+           {"conformal", Variant::conformal}}};
+}
+
+}  // namespace
+
+Status Reshape::check(const ReshapeParameters& values) const {
+  for (const VertexChains* chains : {&values.features, &values.smooth, &values.straight}) {
+    for (const std::vector<Index>& chain : *chains) {
+      if (chain.size() < 2) return Status::failure(Code::badParameter, "a line needs two vertices at least");
+    }
+  }
+  return {};
+}
+
+std::vector<Stage> Reshape::plan(const TriangleMesh& rest, const ReshapeParameters& values, Stale stale) {
+  rest_ = &rest;
+  Plan plan(stale);
+  const bool wasLocalGlobal = isLocalGlobal(), isFirst = emitted_.size() == 0;
+  variant_ = values.variant;
+  if (isLocalGlobal()) {
+    planLocalGlobal(rest, values, wasLocalGlobal && !isFirst ? stale : std::max(stale, Stale::all), plan);
+    return plan.stages();
+  }
+  working_.addStages(rest, values, plan);
+  plan.add(Stale::system, "assembling the system", 10, [this, &values] { return shape(values); })
+      .add(Stale::system, "factoring the system", 40,
+           [this](double& done) {
+             return variant_ == Variant::poisson ? poisson_.prepareNext(done) : run_.prepareNext(done);
+           })
+      .add(Stale::targets, "taking the handles", 2, [this, &values] { return aim(values); });
+  return plan.stages();
+}
+
+ArapParameters Reshape::arapValues(const ReshapeParameters& values) const {
+  ArapParameters result;
+  result.regularizer = values.variant == Variant::conformal ? Rigidity::acap : Rigidity::arap;
+  result.handles = values.handles;
+  result.parts = values.parts;
+  result.solver.maxIterations = values.maxIterations;
+  return result;
+}
+
+void Reshape::planLocalGlobal(const TriangleMesh& rest, const ReshapeParameters& values, Stale stale, Plan& plan) {
+  arapValues_ = arapValues(values);
+  std::vector<Stage> stages = arap_.plan(rest, arapValues_, stale);
+  // A value that is set while stages wait must reach those that read it.
+  for (Stage& stage : stages) {
+    stage.run = [this, &values, run = std::move(stage.run)](double& done) {
+      arapValues_ = arapValues(values);
+      return run(done);
+    };
+  }
+  plan.add(stages).add(Stale::targets, "taking the handles", 1, [this, &values] {
+    handles_ = values.handles;
+    setGesture();
+  });
+}
+
+Status Reshape::shape(const ReshapeParameters& values) {
+  RunRows rows;
+  for (const Index v : values.handles.vertices)
+    rows.handles.push_back(handleRow(*rest_, working_.mesh(), working_.transfer(), v));
+  rows.others = otherRows(values, rows.handles);
+  emitted_.resize(0, 3);
+  if (variant_ == Variant::poisson) {
+    rows.handles.insert(rows.handles.end(), rows.others.begin(), rows.others.end());
+    poisson_.shape(working_.surface(), std::move(rows.handles));
+    return {};
+  }
+  const Box box = boundingBox(*rest_);
+  return run_.shape(working_.surface(), working_.structure(),
+                    {values.variant, values.reading, working_.features(), box.diagonal().norm()}, std::move(rows));
+}
+
+std::vector<PointRow> Reshape::otherRows(const ReshapeParameters& values, const std::vector<PointRow>& handles) const {
+  const Points& positions = working_.surface().mesh.positions;
+  std::vector<PointRow> rows;
+  if (values.parts == Parts::together) addAttachmentRows(working_.attachments(), positions, rows);
+  if (values.variant != Variant::poisson) {
+    VertexChains chains = working_.structure().straightChains;
+    for (const std::vector<Index>& chain : values.straight) chains.push_back(working_.chainOf(chain));
+    addStraightRows(chains, positions, rows);
+  }
+  addPins(working_.surface(), handles, rows);
+  return rows;
+}
+
+void Reshape::setGesture() {
+  handleMoves_.clear();
+  isGesture_ = false;
+  for (std::size_t h = 0; h < handles_.vertices.size(); ++h) {
+    const auto i = static_cast<Index>(h);
+    handleMoves_.push_back((handles_.targets.row(i) - rest_->positions.row(handles_.vertices[h])).transpose());
+    // A target in the file's units comes back from them with a rounding.
+    isGesture_ = isGesture_ || handleMoves_.back().norm() > kNoMove;
+  }
+}
+
+Status Reshape::aim(const ReshapeParameters& values) {
+  handles_ = values.handles;
+  setGesture();
+  std::vector<Vec3> targets;
+  for (std::size_t h = 0; h < handles_.vertices.size(); ++h) {
+    const Vec3 on = handleRow(*rest_, working_.mesh(), working_.transfer(), handles_.vertices[h])
+                        .residual(working_.mesh().mesh.positions);
+    targets.push_back(on + handles_.targets.row(static_cast<Index>(h)).transpose());
+  }
+  if (variant_ == Variant::poisson) {
+    poisson_.aim(targets);
+    return {};
+  }
+  run_.limit(values.finalize, values.maxIterations);
+  return run_.aim(targets);
+}
+
+void Reshape::begin(Points& positions) {
+  if (isLocalGlobal()) {
+    if (isGesture_) arap_.begin(positions);
+    return;
+  }
+  beginning_ = {};
+  if (variant_ == Variant::poisson) return;
+  const double times = shareOfGestureBefore();
+  if (positions == rest_->positions || positions.rows() != emitted_.rows() || positions != emitted_ || times <= 0) {
+    beginning_ = run_.begin();
+    return;
+  }
+  const Points& rest = working_.surface().mesh.positions;
+  beginning_ = run_.resume(rest + times * (workingPositions_ - rest));
+}
+
+double Reshape::shareOfGestureBefore() const {
+  if (movesBefore_.size() != handleMoves_.size()) return 0;
+  double dot = 0, squared = 0, length = 0;
+  for (std::size_t h = 0; h < handleMoves_.size(); ++h) {
+    dot += handleMoves_[h].dot(movesBefore_[h]);
+    squared += movesBefore_[h].squaredNorm();
+    length += handleMoves_[h].squaredNorm();
+  }
+  if (squared == 0) return 0;
+  const double times = dot / squared;
+  const double off = length - times * dot;
+  return off <= kStraightOn * kStraightOn * length ? std::clamp(times, 0.0, kMostTimes) : 1;
+}
+
+Status Reshape::step(Points& positions, StepReport& report) {
+  if (!isGesture_) {
+    positions = rest_->positions;
+    report = {Outcome::converged, 0, 0};
+    return {};
+  }
+  if (isLocalGlobal()) return arap_.step(positions, report);
+  if (!beginning_.ok()) return beginning_;
+  const bool isPoisson = variant_ == Variant::poisson;
+  if (Status status = isPoisson ? poisson_.step(report) : run_.step(report); !status.ok()) return status;
+  workingPositions_ = isPoisson ? poisson_.positions() : run_.positions();
+  working_.transfer().carry(workingPositions_, positions);
+  emitted_ = positions;
+  movesBefore_ = handleMoves_;
+  return {};
+}
+
+std::vector<std::string> Reshape::warnings(const ReshapeParameters& values) const {
+  if (values.handles.vertices.empty())
+    return {"Nothing is held, so nothing moves: reshape needs handles; hold some vertices and drag others."};
+  if (isLocalGlobal()) return arap_.warnings(arapValues_);
+  return variant_ == Variant::poisson ? std::vector<std::string>{} : run_.remarks();
+}
+
+std::vector<Field> Reshape::fields() const {
+  if (isLocalGlobal()) return arap_.fields();
+  return {};
+}
+
+MethodInfo reshapeMethod() {
+  using P = ReshapeParameters;
+  const ChoiceKind<Reading> readings{{{"tuned", Reading::tuned}, {"published", Reading::published}}};
+  const ChoiceKind<Remesh> ways{{{"auto", Remesh::automatic}, {"never", Remesh::never}, {"always", Remesh::always}}};
+  return methodInfo<Reshape>(
+      "reshape",
+      {bind("variant", &P::variant, Stale::all, variants()), bind("reading", &P::reading, Stale::system, readings),
+       bind("handles", &P::handles, Stale::system, HandlesKind{}),
+       bind("featureAngle", &P::featureAngle, Stale::all, NumberKind{{1, 180}}),
+       bind("features", &P::features, Stale::all, ChainsKind{}), bind("smooth", &P::smooth, Stale::all, ChainsKind{}),
+       bind("straight", &P::straight, Stale::system, ChainsKind{}),
+       bind("finalize", &P::finalize, Stale::targets, FlagKind{}), bind("remesh", &P::remesh, Stale::all, ways),
+       bind("parts", &P::parts, Stale::system, waysOfParts()),
+       bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
+}
+
+}  // namespace whittle

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "constraints/attachments.h"
+#include "constraints/straight_chains.h"
+#include "methods/alternating/reshape_run.h"
+#include "remeshing/transfer.h"
+
+namespace whittle {
+
+/// The row of a handle on a vertex of the input, as it lies on the working mesh. With the place of the vertex at rest for
+/// target, its residual at rest is how far off the working mesh the vertex lies.
+PointRow handleRow(const TriangleMesh& input, const DerivedMesh& working, const Transfer& transfer, Index vertex);
+
+/// Rows that keep chains straight (Eq. 22). Vertices are those of the working mesh.
+void addStraightRows(const VertexChains& chains, const Points& rest, std::vector<PointRow>& rows);
+/// Rows that keep parts that touch in touch.
+void addAttachmentRows(const std::vector<Attachment>& attachments, const Points& rest, std::vector<PointRow>& rows);
+/// Rows that hold a vertex of each part that nothing ties to a handle where it is.
+void addPins(const RestSurface& surface, const std::vector<PointRow>& handles, std::vector<PointRow>& rows);
+
+}  // namespace whittle

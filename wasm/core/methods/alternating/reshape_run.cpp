@@ -1,0 +1,223 @@
+#include "methods/alternating/reshape_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "methods/alternating/handle_errors.h"
+
+namespace whittle {
+
+namespace {
+
+/// A handle that is missed by more, as a share of the diagonal, asks for a second run.
+constexpr double kMissed = 0.005;
+/// More folded faces than this share are no result.
+constexpr double kMostFlipped = 0.01;
+/// What of the diagonal nobody sees.
+constexpr double kUnseen = 1e-3;
+
+std::vector<PointRow> joined(const RunRows& rows) {
+  std::vector<PointRow> all = rows.handles;
+  all.insert(all.end(), rows.others.begin(), rows.others.end());
+  return all;
+}
+
+}  // namespace
+
+Status ReshapeRun::Attempt::shape(const ReshapeTerms& wanted, const std::vector<bool>& keptPatches) {
+  terms = wanted;
+  setTerms(terms, structure, keptPatches, surface);
+  return transformations.shape(surface, terms.weights);
+}
+
+Status ReshapeRun::shape(const RestSurface& rest, const Structure& structure, const RunSettings& settings,
+                         RunRows rows) {
+  settings_ = settings;
+  rows_ = std::move(rows);
+  rest_ = &rest;
+  second_.reset();
+  first_ = std::make_unique<Attempt>();
+  first_->surface = rest;
+  first_->structure = structure;
+  rung_ = Rung::full;
+  keptPatches_ = findKeptPatches(structure);
+  Status status = first_->shape(ReshapeTerms::of(settings.variant, settings.reading, rung_), keptPatches_);
+  if (!status.ok()) return status;
+  first_->beginVertices(joined(rows_));
+  return {};
+}
+
+void ReshapeRun::Attempt::beginVertices(std::vector<PointRow> rows) {
+  vertices.shape(surface, terms.weights, std::move(rows));
+  vertices.assemble(restGoals(surface), Transformations(surface.faceCount(), Mat3::Identity()));
+  vertices.beginPrepare();
+}
+
+std::vector<bool> ReshapeRun::findKeptPatches(const Structure& structure) const {
+  // What a handle asks of the vertices that it is on.
+  Handles moves;
+  std::vector<Vec3> targets;
+  for (const PointRow& handle : rows_.handles) {
+    const Vec3 move = -handle.residual(rest_->mesh.positions);
+    for (int i = 0; i < handle.count; ++i) {
+      moves.vertices.push_back(handle.vertices[i]);
+      targets.push_back(rest_->mesh.positions.row(handle.vertices[i]).transpose() + move);
+    }
+  }
+  moves.targets.resize(static_cast<Index>(targets.size()), 3);
+  for (Index i = 0; i < moves.targets.rows(); ++i) moves.targets.row(i) = targets[i].transpose();
+  return keptPatches(structure.patches, rest_->mesh, moves);
+}
+
+Status ReshapeRun::aim(const std::vector<Vec3>& targets) {
+  for (std::size_t h = 0; h < targets.size(); ++h) rows_.handles[h].target = targets[h];
+  std::copy(rows_.handles.begin(), rows_.handles.end(), first_->vertices.rows().begin());
+  std::vector<bool> kept = findKeptPatches(first_->structure);
+  if (kept == keptPatches_) return {};
+  keptPatches_ = std::move(kept);
+  return first_->shape(first_->terms, keptPatches_);
+}
+
+void ReshapeRun::limit(bool finalize, int maxIterations) {
+  finalize_ = finalize;
+  maxIterations_ = maxIterations;
+}
+
+AlternationLimits ReshapeRun::limits() const {
+  AlternationLimits limits;
+  limits.iterations = maxIterations_;
+  if (settings_.reading == Reading::tuned) limits.unseenMove = kUnseen * settings_.diagonal;
+  return limits;
+}
+
+Status ReshapeRun::setRung(Rung rung) {
+  second_.reset();
+  if (rung == rung_) return {};
+  rung_ = rung;
+  return first_->shape(ReshapeTerms::of(settings_.variant, settings_.reading, rung), keptPatches_);
+}
+
+void ReshapeRun::Attempt::begin(const AlternationLimits& limits) {
+  alternation.begin(surface, terms.weights, vertices, transformations, limits);
+}
+
+Status ReshapeRun::begin() {
+  isDone_ = hasBest_ = false;
+  remarks_.clear();
+  if (Status status = setRung(Rung::full); !status.ok()) return status;
+  first_->begin(limits());
+  shown_ = rest_->mesh.positions;
+  return {};
+}
+
+Status ReshapeRun::resume(const Points& positions) {
+  if (Status status = begin(); !status.ok()) return status;
+  first_->alternation.resume(positions);
+  shown_ = positions;
+  return {};
+}
+
+double ReshapeRun::handleError(const Points& positions) const {
+  double error = 0;
+  for (const PointRow& handle : rows_.handles) error = std::max(error, handle.residual(positions).norm());
+  return error / settings_.diagonal;
+}
+
+Status ReshapeRun::step(StepReport& report) {
+  if (isDone_) {
+    report = {outcome_, 0, 0};
+    return {};
+  }
+  Attempt& attempt = second_ ? *second_ : *first_;
+  if (Status status = attempt.alternation.iterate(report); !status.ok()) return status;
+  if (!hasBest_) shown_ = attempt.alternation.positions();
+  if (report.outcome == Outcome::running) return {};
+  outcome_ = report.outcome;
+  if (Status status = finish(attempt); !status.ok()) return status;
+  report.outcome = isDone_ ? outcome_ : Outcome::running;
+  return {};
+}
+
+Status ReshapeRun::finish(Attempt& attempt) {
+  result_ = attempt.alternation.positions();
+  if (!second_ && handleError(result_) > kMissed) return repeat();
+  if (finalize_) {
+    if (Status status = spread(attempt); !status.ok()) return status;
+  }
+  const FoldReport folds = findFolds(*rest_, result_);
+  if (!hasBest_ || folds.isBetterThan(bestFolds_)) {
+    best_ = result_;
+    bestFolds_ = folds;
+    hasBest_ = true;
+  }
+  const bool hasLadder = settings_.variant == Variant::slippage && settings_.reading == Reading::tuned;
+  if (hasLadder && !folds.isClean() && rung_ != Rung::none) {
+    if (Status status = setRung(static_cast<Rung>(static_cast<int>(rung_) + 1)); !status.ok()) return status;
+    first_->begin(limits());
+    return {};
+  }
+  isDone_ = true;
+  shown_ = best_;
+  return judge();
+}
+
+Status ReshapeRun::judge() {
+  if (bestFolds_.flipped > kMostFlipped * rest_->faceCount()) {
+    return Status::failure(Code::badHandles,
+                           "this gesture turns the shape inside out: " + std::to_string(bestFolds_.flipped) +
+                               " of its " + std::to_string(rest_->faceCount()) +
+                               " faces fold over; move the handles less far");
+  }
+  if (bestFolds_.flipped > 0) {
+    remarks_.push_back("Of the faces " + std::to_string(bestFolds_.flipped) +
+                       " fold over; a smaller move, or more handles, may help.");
+  }
+  const double error = handleError(best_);
+  if (error > kMissed) {
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "A handle is missed by %.1f %% of the diagonal: what the handles ask for does not go together with the "
+        "shape.",
+        100 * error);
+    remarks_.push_back(text);
+  }
+  return {};
+}
+
+Status ReshapeRun::repeat() {
+  auto attempt = std::make_unique<Attempt>();
+  attempt->surface = measureSurface({result_, rest_->mesh.triangles});
+  StructureSearch search(attempt->surface, settings_.features);
+  while (search.next() < 1) {
+  }
+  attempt->structure = search.take();
+  // The same parts keep their radius as in the first run.
+  attempt->structure.patches = first_->structure.patches;
+  if (Status status = attempt->shape(first_->terms, keptPatches_); !status.ok()) return status;
+  attempt->beginVertices(joined(rows_));
+  for (double share = 0; share < 1;) {
+    if (Status status = attempt->vertices.prepareNext(share); !status.ok()) return status;
+  }
+  second_ = std::move(attempt);
+  second_->begin(limits());
+  return {};
+}
+
+Status ReshapeRun::spread(Attempt& attempt) {
+  Points finalized = result_;
+  bool isSpread = false;
+  Status status = spreadHandleErrors(attempt.surface, attempt.terms.weights, attempt.alternation.transformations(),
+                                     attempt.vertices.rows(), static_cast<Index>(rows_.handles.size()),
+                                     attempt.terms.weakHandles, finalized, isSpread);
+  if (!status.ok() || !isSpread) return status;
+  // What is spread must cost neither a handle nor a face.
+  const bool missesMore = handleError(finalized) > kMissed && handleError(result_) <= kMissed;
+  const bool foldsMore = findFolds(*rest_, finalized).flipped > findFolds(*rest_, result_).flipped;
+  if (settings_.reading == Reading::tuned && (missesMore || foldsMore)) return {};
+  result_ = finalized;
+  return {};
+}
+
+}  // namespace whittle

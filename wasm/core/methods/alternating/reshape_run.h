@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "methods/alternating/alternation.h"
+#include "methods/alternating/fold_check.h"
+#include "methods/alternating/reshape_terms.h"
+
+namespace whittle {
+
+/// What a run is asked for, in the unit frame.
+struct RunSettings {
+  Variant variant = Variant::slippage;
+  Reading reading = Reading::tuned;
+  FeatureSettings features;
+  double diagonal = 1;  // of the bounding box
+};
+
+/// The rows of a run: handles first.
+struct RunRows {
+  std::vector<PointRow> handles;
+  std::vector<PointRow> others;  // straight lines, ties between parts, pins
+};
+
+/// Runs of the alternation on one working mesh, from a gesture to a result that can be kept: where a handle is missed by
+/// much, once more with the output for input; where next to handles errors pile up, these are spread; where a face folds
+/// over, again with less of what keeps round parts.
+class ReshapeRun {
+ public:
+  /// @param rest, structure to be kept by the caller, their terms not set
+  Status shape(const RestSurface& rest, const Structure& structure, const RunSettings& settings, RunRows rows);
+  /// Factors the first vertex solve, slice by slice.
+  Status prepareNext(double& share) { return first_->vertices.prepareNext(share); }
+
+  /// Other targets for the same handles. Fails with `numericalFailure`.
+  Status aim(const std::vector<Vec3>& targets);
+  void limit(bool finalize, int maxIterations);
+
+  /// Starts from rest, or from positions that a run before came to.
+  Status begin();
+  Status resume(const Points& positions);
+  /// One iteration; the last one ends with a result. Fails with `numericalFailure`, or with `badHandles` where the
+  /// gesture would turn much of the shape inside out.
+  Status step(StepReport& report);
+
+  /// What is to be shown, #V×3: of a further attempt nothing until it has come as far.
+  const Points& positions() const { return shown_; }
+  /// Γ of each face, #F.
+  const Scalars& sphericity() const { return first_->surface.sphericity; }
+  /// What a person should know of the result, a sentence each.
+  const std::vector<std::string>& remarks() const { return remarks_; }
+
+ private:
+  /// A surface with its two systems.
+  struct Attempt {
+    RestSurface surface;
+    Structure structure;
+    ReshapeTerms terms;
+    VertexSystem vertices;
+    TransformationSystem transformations;
+    Alternation alternation;
+
+    Status shape(const ReshapeTerms& wanted, const std::vector<bool>& keptPatches);
+    void beginVertices(std::vector<PointRow> rows);
+    void begin(const AlternationLimits& limits);
+  };
+
+  Status setRung(Rung rung);
+  AlternationLimits limits() const;
+  std::vector<bool> findKeptPatches(const Structure& structure) const;
+  Status finish(Attempt& attempt);
+  Status repeat();
+  Status spread(Attempt& attempt);
+  Status judge();
+  double handleError(const Points& positions) const;
+
+  RunSettings settings_;
+  RunRows rows_;
+  bool finalize_ = true;
+  int maxIterations_ = 100;
+  const RestSurface* rest_ = nullptr;
+  std::vector<bool> keptPatches_;
+  Rung rung_ = Rung::full;
+  std::unique_ptr<Attempt> first_;   // from the rest shape
+  std::unique_ptr<Attempt> second_;  // from what the first came to, if it missed a handle
+  bool isDone_ = false;
+  Outcome outcome_ = Outcome::running;
+  Points result_;  // of the present rung
+  Points best_;    // of those before
+  FoldReport bestFolds_;
+  bool hasBest_ = false;
+  Points shown_;
+  std::vector<std::string> remarks_;
+};
+
+}  // namespace whittle

@@ -1,0 +1,36 @@
+#include "methods/alternating/structure.h"
+
+namespace whittle {
+
+namespace {
+
+std::vector<bool> featuresOf(const RestSurface& surface, const FeatureSettings& settings) {
+  std::vector<bool> features = featureEdges(surface.pairs, surface.edges.count(), settings.angle);
+  for (std::size_t e = 0; e < settings.marked.size(); ++e) {
+    if (settings.marked[e]) features[e] = true;
+  }
+  for (std::size_t e = 0; e < settings.unmarked.size(); ++e) {
+    if (settings.unmarked[e]) features[e] = false;
+  }
+  return features;
+}
+
+}  // namespace
+
+StructureSearch::StructureSearch(const RestSurface& surface, const FeatureSettings& settings)
+    : surface_(surface), result_{featuresOf(surface, settings), {}, {}, {}},
+      estimate_(surface.mesh.positions, surface.mesh.triangles, surface.edges, result_.features) {}
+
+double StructureSearch::next() {
+  constexpr double kCurvature = 0.9;  // share of the work
+  if (estimated_ < 1) {
+    estimated_ = estimate_.next();
+    return kCurvature * estimated_;
+  }
+  result_.curvatures = estimate_.take();
+  result_.patches = cylinderPatches(surface_.mesh, surface_.pairs, result_.features, result_.curvatures);
+  result_.straightChains = straightChains(surface_.mesh.positions, surface_.edges, result_.features);
+  return 1;
+}
+
+}  // namespace whittle
