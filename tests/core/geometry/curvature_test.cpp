@@ -164,7 +164,7 @@ TEST_CASE("a whole that is not one surface is cut where it is none, and rubbish 
 }
 
 TEST_CASE("a hub of many faces takes no square of time, and its neighbours are as flat as it is") {
-  const TriangleMesh disc = cylinder(20000, 1, 1, 1, 0.001, false);
+  const TriangleMesh disc = cylinder(6000, 1, 1, 1, 0.001, false);
   const Curvatures curvatures = curvaturesOf(disc);
-  for (Index f = 40000; f < disc.faceCount(); ++f) CHECK(std::abs(curvatures.larger[f]) < 1e-9);
+  for (Index f = 12000; f < disc.faceCount(); ++f) CHECK(std::abs(curvatures.larger[f]) < 1e-9);
 }
