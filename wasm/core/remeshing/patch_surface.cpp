@@ -1,0 +1,122 @@
+#include "remeshing/patch_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/surface.h"
+#include "geometry/triangle_contact.h"
+#include "mesh/disjoint_sets.h"
+
+namespace whittle {
+
+namespace {
+
+/// Edges across a curve, as a share of its radius: 23° each.
+constexpr double kOfRadius = 0.4;
+/// The finest edges, as a share of the largest: more would be paid for by the worst shapes in between.
+constexpr double kFinest = 1.0 / 3;
+/// Bends below this are flat, radians.
+constexpr double kFlat = 0.02;
+/// Share of the box's longest side within which a patch is a plane.
+constexpr double kPlane = 1e-6;
+
+}  // namespace
+
+double bendRadius(const TriangleMesh& mesh, const MeshEdges& edges, const FacePair& pair) {
+  if (pair.angle < kFlat) return std::numeric_limits<double>::infinity();
+  const auto [a, b] = edges.ends[pair.edge];
+  const auto at = [&](Index v) -> Vec3 { return mesh.positions.row(v).transpose(); };
+  const Vec3 way = at(b) - at(a);
+  const auto height = [&](Index h) {
+    const Vec3 side = at(mesh.triangles(faceOf(h), oppositeCorner(h))) - at(a);
+    return way.cross(side).norm() / way.norm();
+  };
+  return (height(pair.first) + height(pair.second)) / 2 / pair.angle;
+}
+
+PatchSurface::PatchSurface(const TriangleMesh& mesh, const MeshEdges& edges, const std::vector<FacePair>& pairs,
+                           const std::vector<bool>& isCrease, double edge)
+    : mesh_(mesh), normals_(faceNormals(mesh.positions, mesh.triangles)) {
+  joinPatches(pairs, isCrease);
+  findPlanes();
+  measureCurves(edges, pairs, isCrease, edge);
+  std::vector<Box> boxes(mesh.faceCount());
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    for (int k = 0; k < 3; ++k) boxes[f].extend(corner(f, k));
+  }
+  tree_.emplace(std::move(boxes));
+}
+
+void PatchSurface::joinPatches(const std::vector<FacePair>& pairs, const std::vector<bool>& isCrease) {
+  DisjointSets sets(mesh_.faceCount());
+  for (const FacePair& pair : pairs) {
+    if (!isCrease[pair.edge]) sets.join(faceOf(pair.first), faceOf(pair.second));
+  }
+  patchOf_.resize(mesh_.faceCount());
+  Index count = 0;
+  for (Index f = 0; f < mesh_.faceCount(); ++f) {
+    const Index root = sets.find(f);
+    patchOf_[f] = root == f ? count++ : patchOf_[root];
+  }
+  planes_.resize(count);
+}
+
+void PatchSurface::findPlanes() {
+  const Scalars areas = faceAreas(mesh_.positions, mesh_.triangles);
+  Scalars total = Scalars::Zero(planes_.size());
+  for (Index f = 0; f < mesh_.faceCount(); ++f) {
+    Plane& plane = planes_[patchOf_[f]];
+    plane.normal += areas[f] * normals_.row(f).transpose();
+    total[patchOf_[f]] += areas[f];
+    plane.point = corner(f, 0);
+  }
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    // Folded onto itself it would be flat and yet no plane.
+    planes_[i].isFlat = planes_[i].normal.norm() > 0.999 * total[i];
+    planes_[i].normal.normalize();
+  }
+  const double most = kPlane * boundingBox(mesh_).sizes().maxCoeff();
+  for (Index f = 0; f < mesh_.faceCount(); ++f) {
+    Plane& plane = planes_[patchOf_[f]];
+    for (int k = 0; k < 3; ++k) {
+      if (std::abs(plane.normal.dot(corner(f, k) - plane.point)) > most) plane.isFlat = false;
+    }
+  }
+}
+
+void PatchSurface::measureCurves(const MeshEdges& edges, const std::vector<FacePair>& pairs,
+                                 const std::vector<bool>& isCrease, double edge) {
+  sizes_.assign(mesh_.faceCount(), edge);
+  for (const FacePair& pair : pairs) {
+    if (isCrease[pair.edge]) continue;
+    const double size = std::max(kFinest * edge, kOfRadius * bendRadius(mesh_, edges, pair));
+    for (const Index h : {pair.first, pair.second}) sizes_[faceOf(h)] = std::min(sizes_[faceOf(h)], size);
+  }
+}
+
+PatchSurface::Foot PatchSurface::project(const Vec3& point, const Vec3& normal, Index near) const {
+  const Plane& plane = planes_[patchOf_[near]];
+  if (plane.isFlat) return {near, point - plane.normal.dot(point - plane.point) * plane.normal};
+  const auto footOn = [&](Index face) -> Vec3 {
+    const Vec3 a = corner(face, 0), b = corner(face, 1), c = corner(face, 2), weights = nearestPoint(point, a, b, c);
+    return weights[0] * a + weights[1] * b + weights[2] * c;
+  };
+  Foot foot{near, footOn(near)};
+  double least = (foot.point - point).squaredNorm();
+  if (normals_.row(near).dot(normal) < 0) least = std::numeric_limits<double>::infinity();
+  tree_->findNear(point, least, [&](Index face) {
+    if (patchOf_[face] != patchOf_[near] || normals_.row(face).dot(normal) < 0) return least;
+    const Vec3 other = footOn(face);
+    const double distance = (other - point).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      foot = {face, other};
+    }
+    return least;
+  });
+  return foot;
+}
+
+}  // namespace whittle
