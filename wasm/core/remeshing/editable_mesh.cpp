@@ -111,7 +111,7 @@ void EditableMesh::collapse(Index a, Index b) {
     if (corners_[next] != a && corners_[previous] != a) return setCorner(corner, a);
     // The two sides of the face beside the edge become one.
     const bool isOut = corners_[next] == a;
-    const Index side = corners_[isOut ? previous : next], line = lines_[isOut ? next : previous];
+    const Index side = corners_[isOut ? previous : next], line = lines_[next];
     const Index own = lines_[isOut ? previous : corner];
     removeFace(faceOf(corner));
     const Index kept = std::max(line, own);
