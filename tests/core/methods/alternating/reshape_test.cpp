@@ -116,7 +116,7 @@ TEST_CASE("one handle alone takes everything along, and all handles go where the
   one.handles.targets.row(0) = one.mesh.positions.row(7) + move;
   CHECK(((one.run().positions - one.mesh.positions).rowwise() - move).cwiseAbs().maxCoeff() < 1e-5);
 
-  Reshaping all{torus(12), {}};
+  Reshaping all{torus(24), {}};
   const Mat3 stretch = Vec3(1.3, 1, 0.8).asDiagonal();
   const auto everywhere = [](const Vec3&) { return true; };
   all.handles = handlesOn(all.mesh, everywhere, [&](const Vec3& p) -> Vec3 { return stretch * p; });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/bounding_box.h"
+#include "methods/alternating/marked_lines.h"
 #include "methods/alternating/reshape_rows.h"
 
 namespace whittle {
@@ -99,10 +100,14 @@ Status Reshape::shape(const ReshapeParameters& values) {
 std::vector<PointRow> Reshape::otherRows(const ReshapeParameters& values, const std::vector<PointRow>& handles) const {
   const Points& positions = working_.surface().mesh.positions;
   std::vector<PointRow> rows;
-  if (values.parts == Parts::together) addAttachmentRows(working_.attachments(), positions, rows);
+  if (values.parts == Parts::together) {
+    addAttachmentRows(working_.attachments(), positions, rows);
+    addScaffoldRows(working_.scaffold(), positions, rows);
+  }
   if (values.variant != Variant::poisson) {
     VertexChains chains = working_.structure().straightChains;
-    for (const std::vector<Index>& chain : values.straight) chains.push_back(working_.chainOf(chain));
+    for (std::vector<Index>& chain : chainsAlong(values.straight, rest_->positions, working_.surface()))
+      chains.push_back(std::move(chain));
     addStraightRows(chains, positions, rows);
   }
   addPins(working_.surface(), handles, rows);
@@ -188,7 +193,9 @@ std::vector<std::string> Reshape::warnings(const ReshapeParameters& values) cons
   if (values.handles.vertices.empty())
     return {"Nothing is held, so nothing moves: reshape needs handles; hold some vertices and drag others."};
   if (isLocalGlobal()) return arap_.warnings(arapValues_);
-  return variant_ == Variant::poisson ? std::vector<std::string>{} : run_.remarks();
+  std::vector<std::string> remarks = working_.remarks();
+  if (variant_ != Variant::poisson) remarks.insert(remarks.end(), run_.remarks().begin(), run_.remarks().end());
+  return remarks;
 }
 
 std::vector<Field> Reshape::fields() const {

@@ -6,8 +6,9 @@ namespace whittle {
 
 namespace {
 
-constexpr double kHandles = 1e5;   // w_constr
-constexpr double kStraight = 1e5;  // w_straight
+constexpr double kHandles = 1e5;    // w_constr
+constexpr double kStraight = 1e5;   // w_straight
+constexpr double kScaffold = 1e-2;  // w_edge
 /// Of ties between parts that touch, against the 1 / l̄² that an edge of mean length has.
 constexpr double kTies = 1e3;
 
@@ -51,6 +52,17 @@ void addAttachmentRows(const std::vector<Attachment>& attachments, const Points&
     for (int i = 0; i < Attachment::kMost; ++i) {
       if (attachment.weights[i] != 0) row.add(attachment.vertices[i], attachment.weights[i]);
     }
+    row.target = row.residual(rest);
+    rows.push_back(row);
+  }
+}
+
+void addScaffoldRows(const Scaffold& scaffold, const Points& rest, std::vector<PointRow>& rows) {
+  for (const auto& [first, second, length] : scaffold.betweenParts) {
+    PointRow row;
+    row.stiffness = kScaffold / (length * length);
+    row.add(first, -1);
+    row.add(second, 1);
     row.target = row.residual(rest);
     rows.push_back(row);
   }

@@ -3,6 +3,7 @@
 #include "constraints/attachments.h"
 #include "constraints/straight_chains.h"
 #include "methods/alternating/reshape_run.h"
+#include "remeshing/scaffold.h"
 #include "remeshing/transfer.h"
 
 namespace whittle {
@@ -15,6 +16,8 @@ PointRow handleRow(const TriangleMesh& input, const DerivedMesh& working, const 
 void addStraightRows(const VertexChains& chains, const Points& rest, std::vector<PointRow>& rows);
 /// Rows that keep parts that touch in touch.
 void addAttachmentRows(const std::vector<Attachment>& attachments, const Points& rest, std::vector<PointRow>& rows);
+/// Rows that keep the edges of a scaffold, weakly.
+void addScaffoldRows(const Scaffold& scaffold, const Points& rest, std::vector<PointRow>& rows);
 /// Rows that hold a vertex of each part that nothing ties to a handle where it is.
 void addPins(const RestSurface& surface, const std::vector<PointRow>& handles, std::vector<PointRow>& rows);
 

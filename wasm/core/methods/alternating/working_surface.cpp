@@ -1,18 +1,42 @@
 #include "methods/alternating/working_surface.h"
 
-#include <algorithm>
-
 #include "mesh/adjacency.h"
+#include "methods/alternating/marked_lines.h"
+#include "remeshing/clean.h"
 
 namespace whittle {
 
+namespace {
+
+/// Creases that the faces are cut along; below the angle from which on the solvers see a feature (§7.6).
+constexpr double kRemeshedFeatures = 35;
+
+std::vector<std::array<Index, 2>> pairsOf(const VertexChains& chains, const DerivedMesh& mesh, Index originals) {
+  std::vector<Index> placeOf(originals, -1);
+  for (std::size_t v = 0; v < mesh.vertexOrigin.size(); ++v) {
+    if (mesh.vertexOrigin[v] >= 0) placeOf[mesh.vertexOrigin[v]] = static_cast<Index>(v);
+  }
+  std::vector<std::array<Index, 2>> pairs;
+  for (const std::vector<Index>& chain : chains) {
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+      const std::array<Index, 2> pair = {placeOf[chain[i - 1]], placeOf[chain[i]]};
+      if (pair[0] >= 0 && pair[1] >= 0) pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
 void WorkingSurface::addStages(const TriangleMesh& rest, const ReshapeParameters& values, Plan& plan) {
   rest_ = &rest;
-  plan.add(Stale::all, "looking at the faces", 2, [this, &values] { begin(values); })
-      .add(Stale::all, "finding the way back", 10, [this](double& done) { findTransfer(done); })
-      .add(Stale::all, "measuring the shape", 10, [this, &values] { measure(values); })
-      .add(Stale::all, "finding edges and round parts", 20, [this](double& done) { findStructure(done); })
-      .add(Stale::all, "finding where parts touch", 3, [this](double& done) { findContacts(done); });
+  plan.add(Stale::all, "looking at the faces", 5, [this, &values] { begin(values); })
+      .add(Stale::all, "cutting the faces anew", 30, [this](double& done) { remesh(done); })
+      .add(Stale::all, "finding the way back", 5, [this](double& done) { findTransfer(done); })
+      .add(Stale::all, "measuring the shape", 3, [this] { measure(); })
+      .add(Stale::all, "finding edges and round parts", 10, [this](double& done) { findStructure(done); })
+      .add(Stale::all, "finding where parts touch", 3, [this](double& done) { findContacts(done); })
+      .add(Stale::all, "tying parts together", 3, [this](double& done) { findScaffold(done); });
 }
 
 void WorkingSurface::begin(const ReshapeParameters& values) {
@@ -26,44 +50,46 @@ void WorkingSurface::begin(const ReshapeParameters& values) {
   unmarked_ = values.smooth;
   search_.reset();
   contactSearch_.reset();
+  scaffoldSearch_.reset();
+  remesher_.reset();
+  transfer_.reset();
   surface_.reset();
-  working_ = DerivedMesh::same(*rest_);
-  transfer_.emplace(*rest_, working_);
+
+  CleanMesh clean = whittle::clean(*rest_);
+  working_ = std::move(clean.derived);
+  mended_ = clean.mended;
+  unmended_ = static_cast<Index>(clean.unmended.size());
+  cause_ = remesh_ == Remesh::never ? RemeshCause::none : needsRemeshing(working_.mesh);
+  isRemeshed_ = remesh_ == Remesh::always || cause_ != RemeshCause::none;
+  if (!isRemeshed_) return;
+  remesher_ = std::make_unique<Remesher>(
+      working_.mesh, RemeshSettings{.edge = remeshedEdge(working_.mesh, kRemeshedFeatures),
+                                    .featureAngle = kRemeshedFeatures,
+                                    .creases = pairsOf(marked_, working_, rest_->vertexCount()),
+                                    .smoothEdges = pairsOf(unmarked_, working_, rest_->vertexCount())});
+}
+
+void WorkingSurface::remesh(double& done) {
+  if (!remesher_) return;
+  done = remesher_->next();
+  if (done < 1) return;
+  DerivedMesh remeshed = remesher_->take();
+  remesher_.reset();
+  working_ = working_.then(std::move(remeshed));
 }
 
 void WorkingSurface::findTransfer(double& done) {
-  if (!isMade_) done = transfer_->next();
+  if (isMade_) return;
+  if (!transfer_) transfer_.emplace(*rest_, working_);
+  done = transfer_->next();
 }
 
-void WorkingSurface::measure(const ReshapeParameters&) {
+void WorkingSurface::measure() {
   if (isMade_) return;
   surface_ = measureSurface(working_.mesh);
   const double degree = EIGEN_PI / 180;
-  features_ = {featureAngle_ * degree, edgesOf(marked_), edgesOf(unmarked_)};
-}
-
-/// The edges of the working mesh along chains of the input's vertices, as far as it has them.
-std::vector<bool> WorkingSurface::edgesOf(const VertexChains& chains) const {
-  if (chains.empty()) return {};
-  std::vector<bool> result(surface_->edges.count(), false);
-  const auto& ends = surface_->edges.ends;
-  for (const std::vector<Index>& chain : chains) {
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-      const Index a = transfer_->place(chain[i - 1]).twin, b = transfer_->place(chain[i]).twin;
-      const std::array<Index, 2> edge = {std::min(a, b), std::max(a, b)};
-      const auto found = std::lower_bound(ends.begin(), ends.end(), edge);
-      if (found != ends.end() && *found == edge) result[found - ends.begin()] = true;
-    }
-  }
-  return result;
-}
-
-std::vector<Index> WorkingSurface::chainOf(const std::vector<Index>& chain) const {
-  std::vector<Index> result;
-  for (const Index v : chain) {
-    if (const Index twin = transfer_->place(v).twin; twin >= 0) result.push_back(twin);
-  }
-  return result;
+  features_ = {featureAngle_ * degree, edgesAlong(marked_, rest_->positions, *surface_),
+               edgesAlong(unmarked_, rest_->positions, *surface_)};
 }
 
 void WorkingSurface::findStructure(double& done) {
@@ -77,15 +103,56 @@ void WorkingSurface::findStructure(double& done) {
 
 void WorkingSurface::findContacts(double& done) {
   if (isMade_) return;
+  const TriangleMesh& mesh = working_.mesh;
   if (!contactSearch_) {
     contactSearch_ = std::make_unique<ContactSearch>(
-        working_.mesh, partsByEdges(working_.mesh.triangles, working_.mesh.vertexCount()));
+        mesh, connectedComponents(mesh.triangles, mesh.vertexCount()).ofFaces(mesh.triangles));
   }
   done = contactSearch_->next();
   if (done < 1) return;
   attachments_ = contactSearch_->take();
   contactSearch_.reset();
+}
+
+/// Parts that touch are tied there already: the scaffold joins what is apart.
+void WorkingSurface::findScaffold(double& done) {
+  if (isMade_) return;
+  const TriangleMesh& mesh = working_.mesh;
+  if (!scaffoldSearch_) {
+    const Components groups = Attachments(attachments_).tied(connectedComponents(mesh.triangles, mesh.vertexCount()));
+    std::vector<Index> groupOf(mesh.vertexCount(), -1);
+    bool areSeveral = false;
+    for (Index f = 0; f < mesh.faceCount(); ++f) {
+      for (int k = 0; k < 3; ++k) groupOf[mesh.triangles(f, k)] = groups.ofVertex[mesh.triangles(f, k)];
+      areSeveral = areSeveral || groupOf[mesh.triangles(f, 0)] != groupOf[mesh.triangles(0, 0)];
+    }
+    scaffold_ = {};
+    isMade_ = !areSeveral;
+    if (isMade_) return;
+    scaffoldSearch_ = std::make_unique<ScaffoldSearch>(mesh.positions, std::move(groupOf));
+  }
+  done = scaffoldSearch_->next();
+  if (done < 1) return;
+  scaffold_ = scaffoldSearch_->take();
+  scaffoldSearch_.reset();
   isMade_ = true;
+}
+
+std::vector<std::string> WorkingSurface::remarks() const {
+  std::vector<std::string> remarks;
+  if (isRemeshed_) {
+    const char* const why = cause_ == RemeshCause::slivers       ? "many faces are slivers"
+                            : cause_ == RemeshCause::unevenEdges ? "edges are of very different lengths"
+                            : cause_ == RemeshCause::coarseness  ? "faces are too coarse to bend"
+                                                                 : "that was asked for";
+    remarks.push_back("The shape was worked out on " + std::to_string(working_.mesh.faceCount()) + " even faces, as " +
+                      why + "; your own faces follow them.");
+  }
+  if (unmended_ > 0) {
+    remarks.push_back(std::to_string(unmended_) +
+                      " faces are so thin that they have no direction; where they are the result may be uneven.");
+  }
+  return remarks;
 }
 
 }  // namespace whittle

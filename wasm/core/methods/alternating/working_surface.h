@@ -2,20 +2,26 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "constraints/contact_search.h"
 #include "methods/alternating/reshape_parameters.h"
 #include "methods/alternating/structure.h"
 #include "methods/stage.h"
+#include "remeshing/remesh_rule.h"
+#include "remeshing/remesher.h"
+#include "remeshing/scaffold.h"
 #include "remeshing/transfer.h"
 
 namespace whittle {
 
-/// The surface that the solvers of a reshaping work on, and the way back to the mesh that it was made from. What depends
-/// on the mesh alone is found once and kept while variants, readings and handles change.
+/// The surface that the solvers of a reshaping work on, and the way back to the mesh that it was made from: without
+/// slivers, cut anew where faces are too uneven to say how the surface runs (§5.1), with what ties its parts. What
+/// depends on the mesh alone is found once and kept while variants, readings and handles change.
 class WorkingSurface {
  public:
-  /// The stages that make it for these values, none where it is there already. Rest and values outlive them.
+  /// Adds the stages that make it for these values; they do nothing where it is there already. Rest and values outlive
+  /// them.
   void addStages(const TriangleMesh& rest, const ReshapeParameters& values, Plan& plan);
 
   const DerivedMesh& mesh() const { return working_; }
@@ -24,16 +30,18 @@ class WorkingSurface {
   const Transfer& transfer() const { return *transfer_; }
   const FeatureSettings& features() const { return features_; }
   const std::vector<Attachment>& attachments() const { return attachments_; }
-  /// A chain of the input's vertices on the working mesh, as far as it has them.
-  std::vector<Index> chainOf(const std::vector<Index>& chain) const;
+  const Scaffold& scaffold() const { return scaffold_; }
+  /// What was done to the faces, a sentence each.
+  std::vector<std::string> remarks() const;
 
  private:
   void begin(const ReshapeParameters& values);
+  void remesh(double& done);
   void findTransfer(double& done);
-  void measure(const ReshapeParameters& values);
+  void measure();
   void findStructure(double& done);
   void findContacts(double& done);
-  std::vector<bool> edgesOf(const VertexChains& chains) const;
+  void findScaffold(double& done);
 
   const TriangleMesh* rest_ = nullptr;
   DerivedMesh working_;
@@ -42,8 +50,16 @@ class WorkingSurface {
   FeatureSettings features_;
   Structure structure_;
   std::vector<Attachment> attachments_;
-  std::unique_ptr<StructureSearch> search_;  // while it goes on
+  Scaffold scaffold_;
+  RemeshCause cause_ = RemeshCause::none;  // why it was cut anew
+  bool isRemeshed_ = false;
+  Index mended_ = 0, unmended_ = 0;  // slivers
+
+  // While they go on
+  std::unique_ptr<Remesher> remesher_;
+  std::unique_ptr<StructureSearch> search_;
   std::unique_ptr<ContactSearch> contactSearch_;
+  std::unique_ptr<ScaffoldSearch> scaffoldSearch_;
 
   // What it was made for
   bool isMade_ = false;
