@@ -1,4 +1,5 @@
 import { MOUSE } from 'three';
+import type { Box } from './box.ts';
 import type { CanvasTool } from './canvas-tool.ts';
 import { KeyboardPointer } from './keyboard-pointer.ts';
 import { Layers } from './layers/layers.ts';
@@ -41,6 +42,12 @@ export class Interaction {
     this.#keyboard.hide();
     this.viewer.holdView(tool !== null);
     this.#router.tool = tool;
+  }
+
+  /** Keeps tools to a part of the canvas; outside, gestures are the camera's. Null for all of it. */
+  keepWithin(box: Box | null): void {
+    this.#keyboard.hide();
+    this.#keyboard.within = this.#router.within = box;
   }
 
   /** Takes back the gesture that is under way. @returns whether there was one */

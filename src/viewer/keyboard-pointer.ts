@@ -1,3 +1,4 @@
+import { type Box, middleOf } from './box.ts';
 import type { CanvasPointer, CanvasTool } from './canvas-tool.ts';
 
 /** CSS pixels for a press of an arrow key; with Shift four times as far. */
@@ -17,6 +18,8 @@ const ways: Readonly<Record<string, readonly [x: number, y: number]>> = {
 export class KeyboardPointer {
   /** Where the cross is; null while it is not in use. */
   place: { readonly x: number; readonly y: number } | null = null;
+  /** Where it walks; null for all of the canvas. */
+  within: Box | null = null;
   #isPressed = false;
   readonly #canvas: HTMLElement;
   readonly #cross: HTMLElement;
@@ -82,11 +85,10 @@ export class KeyboardPointer {
   #walk(tool: CanvasTool, [x, y]: readonly [number, number], event: KeyboardEvent): void {
     const from = this.#here;
     const step = event.shiftKey && !this.#isPressed ? 4 * stride : stride;
-    const inside = (value: number, size: number) => Math.min(size - 1, Math.max(0, value));
-    this.place = {
-      x: inside(from.x + x * step, this.#canvas.clientWidth),
-      y: inside(from.y + y * step, this.#canvas.clientHeight),
-    };
+    const { left, top, width, height } = this.#reach;
+    const inside = (value: number, low: number, size: number) =>
+      Math.min(low + size - 1, Math.max(low, value));
+    this.place = { x: inside(from.x + x * step, left, width), y: inside(from.y + y * step, top, height) };
     this.#cross.hidden = false;
     this.#cross.style.translate = `${this.place.x}px ${this.place.y}px`;
     const pointer = this.#pointer(event);
@@ -95,7 +97,12 @@ export class KeyboardPointer {
   }
 
   get #here(): { x: number; y: number } {
-    return this.place ?? { x: this.#canvas.clientWidth / 2, y: this.#canvas.clientHeight / 2 };
+    return this.place ?? middleOf(this.#reach);
+  }
+
+  get #reach(): Box {
+    const { clientWidth: width, clientHeight: height } = this.#canvas;
+    return this.within ?? { left: 0, top: 0, width, height };
   }
 
   #pointer({ shiftKey, ctrlKey, metaKey, altKey }: KeyboardEvent): CanvasPointer {

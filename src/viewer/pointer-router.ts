@@ -1,3 +1,4 @@
+import { type Box, isInside } from './box.ts';
 import { type CanvasTool, canvasPointer } from './canvas-tool.ts';
 
 /**
@@ -12,6 +13,8 @@ export class PointerRouter {
   #taken: PointerEvent | null = null;
   #fingers = new Set<number>();
   #isSpaceDown = false;
+  /** Where gestures may be the tool's; null for all of the canvas. */
+  within: Box | null = null;
 
   constructor(canvas: HTMLElement) {
     this.#canvas = canvas;
@@ -61,8 +64,9 @@ export class PointerRouter {
       this.#downWhileBusy(event);
       return;
     }
-    const isTools = this.#tool && event.button === 0 && !this.#isSpaceDown && this.#fingers.size < 2;
-    if (!isTools || !this.#tool!.press(canvasPointer(event, this.#canvas))) return;
+    const isFree = event.button === 0 && !this.#isSpaceDown && this.#fingers.size < 2;
+    if (!this.#tool || !isFree || !this.#isWithin(event)) return;
+    if (!this.#tool.press(canvasPointer(event, this.#canvas))) return;
     this.#taken = event;
     this.#keep(event);
     this.#canvas.setPointerCapture(event.pointerId);
@@ -90,8 +94,14 @@ export class PointerRouter {
       if (event.pointerId === this.#taken.pointerId) this.#tool?.move(canvasPointer(event, this.#canvas));
       this.#keep(event);
     } else if (event.buttons === 0 && event.pointerType !== 'touch')
-      this.#tool?.hover?.(canvasPointer(event, this.#canvas));
+      this.#tool?.hover?.(this.#isWithin(event) ? canvasPointer(event, this.#canvas) : null);
   };
+
+  #isWithin(event: PointerEvent): boolean {
+    if (!this.within) return true;
+    const { x, y } = canvasPointer(event, this.#canvas);
+    return isInside(this.within, x, y);
+  }
 
   readonly #up = (event: PointerEvent): void => {
     this.#fingers.delete(event.pointerId);

@@ -5,6 +5,11 @@ export interface Renderer {
   setPixelRatio(ratio: number): void;
   setSize(width: number, height: number, style: boolean): void;
   render(scene: Scene, camera: Camera): void;
+  /** CSS pixels from the lower left corner. */
+  setViewport(x: number, y: number, width: number, height: number): void;
+  /** CSS pixels from the lower left corner; outside nothing is drawn while {@link setScissorTest} is on. */
+  setScissor(x: number, y: number, width: number, height: number): void;
+  setScissorTest(isOn: boolean): void;
   /** Gives the graphics context back: browsers have only a few, and collect those that are not given back too late. */
   dispose(): void;
   readonly shadowMap: { enabled: boolean; type: number; autoUpdate: boolean; needsUpdate: boolean };

@@ -1,34 +1,22 @@
-import {
-  BackSide,
-  DoubleSide,
-  FrontSide,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh as MeshObject,
-  MeshStandardMaterial,
-  PCFShadowMap,
-  type PerspectiveCamera,
-  Quaternion,
-  Scene,
-} from 'three';
+import { Group, PCFShadowMap, type PerspectiveCamera, Quaternion, Scene } from 'three';
 import type { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Mesh } from '../mesh/mesh.ts';
+import { Body, type Shading } from './body.ts';
 import { listenForCameraKeys } from './camera-keys.ts';
 import { CameraRig, type Insets } from './camera-rig.ts';
+import { Finish } from './finish.ts';
 import { Morph } from './morph.ts';
 import { RenderLoop } from './render-loop.ts';
 import { type Renderer, webGlRenderer } from './renderer.ts';
 import { Screen } from './screen.ts';
 import { lightTheme, Stage, type StageTheme } from './stage.ts';
-import { Surface } from './surface.ts';
+import type { Surface } from './surface.ts';
 import { toView } from './view-frame.ts';
 
+export type { Shading } from './body.ts';
 export type { Insets } from './camera-rig.ts';
 export type { Renderer } from './renderer.ts';
 export { darkTheme, lightTheme, type StageTheme } from './stage.ts';
-
-export type Shading = 'smooth' | 'flat' | 'wire';
 
 export interface ViewerOptions {
   readonly createRenderer?: (canvas: HTMLCanvasElement) => Renderer;
@@ -53,7 +41,21 @@ export interface ViewSpace {
 /** What became of the shape on the screen: it is another mesh, or has other positions. */
 export type ShapeChange = 'mesh' | 'positions';
 
-const casting = { out: BackSide, in: FrontSide, neither: DoubleSide } as const;
+/** All that one picture is drawn from, for who draws several. */
+export interface Studio {
+  readonly renderer: Renderer;
+  readonly scene: Scene;
+  readonly camera: PerspectiveCamera;
+  readonly stage: Stage;
+  /** Has the file's axes, in view units. */
+  readonly turned: Group;
+  /** What is shown; null while nothing is. */
+  readonly body: Body | null;
+  readonly theme: StageTheme;
+  readonly shading: Shading;
+  /** Whether the file's z axis points up. */
+  readonly zUp: boolean;
+}
 
 /** Draws one mesh on a canvas. Draws on demand only; every setter asks for a drawing. */
 export class Viewer {
@@ -66,18 +68,12 @@ export class Viewer {
   readonly #stage = new Stage(this.#scene);
   readonly #rig: CameraRig;
   readonly #loop = new RenderLoop((now) => this.#draw(now));
-  readonly #clay = new MeshStandardMaterial({
-    roughness: 0.62,
-    side: DoubleSide,
-  });
-  readonly #facets = this.#clay.clone();
-  readonly #ink = new LineBasicMaterial({ transparent: true, depthWrite: false });
+  readonly #finish = new Finish();
   readonly #maxPixelRatio: number;
   readonly #off = new AbortController();
   readonly #screen: Screen;
-  #body: MeshObject | null = null;
-  #lines: LineSegments | null = null;
-  #surface: Surface | null = null;
+  #body: Body | null = null;
+  #drawPictures: ((studio: Studio) => void) | null = null;
   #shading: Shading = 'smooth';
   #theme = lightTheme;
   #morph: Morph | null = null;
@@ -100,11 +96,6 @@ export class Viewer {
     listenForCameraKeys(canvas, this.#rig, this.#loop.invalidate, this.#off.signal);
     this.#scene.add(this.#turned, this.#gizmos);
     this.#turned.add(this.#overlay);
-    for (const material of [this.#clay, this.#facets]) {
-      material.polygonOffset = true;
-      material.polygonOffsetFactor = material.polygonOffsetUnits = 1;
-    }
-    this.#facets.flatShading = true;
     this.#watchContext(options.onContext ?? (() => {}));
     this.setTheme(lightTheme);
   }
@@ -148,15 +139,8 @@ export class Viewer {
   /** Shows another mesh and frames it. @param up the axis that points up in the file */
   show(mesh: Mesh, up: 'y' | 'z' = 'y'): void {
     this.clear();
-    this.#surface = new Surface(mesh);
-    this.#body = new MeshObject(this.#surface.geometry, this.#clay);
-    this.#body.frustumCulled = false;
-    const { facing } = this.#surface;
-    this.#body.castShadow = true;
-    // What casts is the side away from the light, which is dark anyway: no speckle where it grazes. A sheet has no such side.
-    this.#body.receiveShadow = facing !== 'neither';
-    for (const material of [this.#clay, this.#facets]) material.shadowSide = casting[facing];
-    this.#turned.add(this.#body);
+    this.#body = new Body(mesh, this.#finish);
+    this.#turned.add(this.#body.object);
     this.#zUp = up === 'z';
     this.#turned.rotation.x = this.#zUp ? -Math.PI / 2 : 0;
     this.#paint();
@@ -168,9 +152,8 @@ export class Viewer {
 
   clear(): void {
     this.#morph = null;
-    for (const drawn of [this.#body, this.#lines]) drawn?.removeFromParent();
-    this.#surface?.dispose();
-    this.#surface = this.#body = this.#lines = null;
+    this.#body?.dispose();
+    this.#body = null;
     this.#loop.invalidate();
   }
 
@@ -190,13 +173,7 @@ export class Viewer {
 
   setShading(shading: Shading): void {
     this.#shading = shading;
-    if (this.#body) this.#body.material = shading === 'smooth' ? this.#clay : this.#facets;
-    if (shading === 'wire' && !this.#lines && this.#surface) {
-      this.#lines = new LineSegments(this.#surface.edges(), this.#ink);
-      this.#lines.frustumCulled = false;
-      this.#turned.add(this.#lines);
-    }
-    if (this.#lines) this.#lines.visible = shading === 'wire';
+    this.#body?.shade(shading);
     this.#loop.invalidate();
   }
 
@@ -217,6 +194,14 @@ export class Viewer {
     this.#theme = theme;
     this.#stage.apply(theme);
     this.#paint();
+    this.#loop.invalidate();
+  }
+
+  /** Has several pictures drawn in place of the one; null for the one. */
+  drawPictures(draw: ((studio: Studio) => void) | null): void {
+    this.#drawPictures = draw;
+    this.#renderer.shadowMap.needsUpdate = true;
+    if (!draw && this.#surface) this.#placeFloor(this.#surface);
     this.#loop.invalidate();
   }
 
@@ -272,7 +257,7 @@ export class Viewer {
     this.clear();
     this.#rig.dispose();
     this.#stage.dispose();
-    for (const material of [this.#clay, this.#facets, this.#ink]) material.dispose();
+    this.#finish.dispose();
     this.#renderer.dispose();
   }
 
@@ -281,15 +266,12 @@ export class Viewer {
     return Math.max(1, this.#surface ? 1.08 * this.#surface.reach : 1);
   }
 
+  get #surface(): Surface | null {
+    return this.#body?.surface ?? null;
+  }
+
   #paint(): void {
-    const painted = this.#surface?.hasColors ?? false;
-    for (const material of [this.#clay, this.#facets]) {
-      if (material.vertexColors !== painted) material.needsUpdate = true;
-      material.vertexColors = painted;
-      material.color.set(painted ? '#ffffff' : this.#theme.clay);
-    }
-    this.#ink.color.set(this.#theme.wire);
-    this.#ink.opacity = this.#theme.wireOpacity;
+    this.#finish.paint(this.#theme, this.#surface?.hasColors ?? false);
   }
 
   #measure(): void {
@@ -297,9 +279,13 @@ export class Viewer {
     this.#stage.setFootprint([x, this.#zUp ? y : z]);
   }
 
+  #placeFloor(surface: Surface): void {
+    this.#stage.placeFloor(surface.lowest(this.#zUp ? 2 : 1));
+  }
+
   #changed(change: ShapeChange): void {
     for (const listener of this.#shapeListeners) listener(change);
-    if (this.#surface) this.#stage.placeFloor(this.#surface.lowest(this.#zUp ? 2 : 1));
+    if (this.#surface) this.#placeFloor(this.#surface);
     this.#rig.follow(this.#reach);
     this.#renderer.shadowMap.needsUpdate = true;
     this.#loop.invalidate();
@@ -326,7 +312,22 @@ export class Viewer {
 
   #render(): void {
     this.#drawings++;
-    this.#renderer.render(this.#scene, this.#rig.camera);
+    if (this.#drawPictures) this.#drawPictures(this.#studio);
+    else this.#renderer.render(this.#scene, this.#rig.camera);
+  }
+
+  get #studio(): Studio {
+    return {
+      renderer: this.#renderer,
+      scene: this.#scene,
+      camera: this.#rig.camera,
+      stage: this.#stage,
+      turned: this.#turned,
+      body: this.#body,
+      theme: this.#theme,
+      shading: this.#shading,
+      zUp: this.#zUp,
+    };
   }
 
   #watchContext(tell: (lost: boolean) => void): void {
