@@ -23,14 +23,14 @@ import {
   activeStep,
   firstUnsettled,
   type Project,
+  type Result,
   type StepInputs,
   sameActive,
   sameInputs,
-  shownPositions,
 } from './project.ts';
 import { recipeOf } from './saved-recipe.ts';
 import { startingStep, styleParameter } from './starting-step.ts';
-import { type EditorState, type EditorStore, idle } from './state.ts';
+import { type EditorStore, idle, noticeOf } from './state.ts';
 import {
   activateStep,
   addStep,
@@ -41,8 +41,10 @@ import {
   type StepChange,
   switchStep,
   takeRecipe,
+  withResult,
 } from './steps.ts';
 import { patiently, reportFailure, Tasks } from './task.ts';
+import { type Written, writeProject } from './writing.ts';
 
 export interface EditorParts {
   readonly store: EditorStore;
@@ -147,13 +149,22 @@ export class Editor {
     void this.#solver.follow();
   }
 
-  /** Ends a gesture: notes it for undo and settles it. */
-  commit(change: StepChange, label: string): void {
+  /** A gesture is under way: what is shown is on its way to be settled. */
+  get isFollowing(): boolean {
+    return this.#gestureFrom !== null;
+  }
+
+  /**
+   * Ends a gesture: notes it for undo and settles it.
+   *
+   * @param known what these settings give, where that was found out already
+   */
+  commit(change: StepChange, label: string, known?: Result): void {
     const { project } = this;
     if (!project) return;
     const before = this.#gestureFrom ?? project;
     this.#gestureFrom = null;
-    const wanted = changeActive(project, change);
+    const wanted = withResult(changeActive(project, change), known);
     if (sameActive(before, wanted)) {
       if (before === project) return;
       this.#goTo(before);
@@ -293,33 +304,12 @@ export class Editor {
   }
 
   /** The file in a format with the settled shape. Null if it could not be written; a notice says why. */
-  async write(format: Format): Promise<{ bytes: Uint8Array<ArrayBuffer>; project: Project } | null> {
+  async write(format: Format): Promise<Written | null> {
     this.#endGesture();
     await this.#solver.settling;
     if (this.project && firstUnsettled(this.project)) await this.#solver.settle(false);
-    const { project } = this;
-    if (!project) return null;
-    if (firstUnsettled(project)) {
-      const text =
-        'Nothing was saved, as the shape was stopped or changed before it was finished; save it again.';
-      if (this.store.state.notice?.tone !== 'error') this.store.set({ notice: { tone: 'note', text } });
-      return null;
-    }
-    const { source } = project;
-    const task = this.#tasks.begin();
-    this.store.set({ activity: { kind: 'writing', name: source.name }, notice: null });
-    try {
-      const positions = shownPositions(project);
-      const { bytes, name, beside } = source;
-      const written = await patiently(task, () =>
-        this.#engine.write(bytes, name, format, positions, { signal: task.signal, beside }),
-      );
-      if (task.current()) this.store.set({ activity: idle, ...noticeOf(written.warnings) });
-      return { bytes: written.bytes, project };
-    } catch (thrown) {
-      reportFailure(this.store, task, thrown, () => void this.write(format));
-      return null;
-    }
+    const parts = { store: this.store, engine: this.#engine, tasks: this.#tasks };
+    return this.project && writeProject(parts, this.project, format, () => void this.write(format));
   }
 
   #enter(project: Project, warnings: readonly string[]): void {
@@ -391,9 +381,4 @@ export class Editor {
     this.#presenter.present(project);
     this.#solver.tidy();
   }
-}
-
-/** Tells a person of warnings, if there are any. */
-function noticeOf(warnings: readonly string[]): Pick<Partial<EditorState>, 'notice'> {
-  return warnings.length > 0 ? { notice: { tone: 'note', text: warnings.join(' ') } } : {};
 }

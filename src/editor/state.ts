@@ -30,6 +30,11 @@ export interface Notice {
   readonly action?: { readonly label: string; readonly run: () => void };
 }
 
+/** Tells a person of warnings, if there are any. */
+export function noticeOf(warnings: readonly string[]): Pick<Partial<EditorState>, 'notice'> {
+  return warnings.length > 0 ? { notice: { tone: 'note', text: warnings.join(' ') } } : {};
+}
+
 /** What an editor has and does. */
 export interface EditorState {
   readonly project: Project | null;

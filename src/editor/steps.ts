@@ -1,7 +1,7 @@
 import { findMethod } from '../methods/registry.ts';
 import type { ParameterValues } from '../methods/values/index.ts';
 import { checkGroups, type Group, type Recipe, type RecipeStep } from '../recipe/index.ts';
-import { type Assets, activeStep, type Project, type Step } from './project.ts';
+import { type Assets, activeStep, type Project, type Result, type Step } from './project.ts';
 
 /** Changes of the stack, each a new project. What a change makes stale shows by itself: results know what they are of. */
 
@@ -78,6 +78,11 @@ export function changeActive(project: Project, { method, parameters, assets, gro
 /** The project with another version of one of its steps. */
 export function withStep(project: Project, changed: Step): Project {
   return { ...project, steps: project.steps.map((step) => (step.id === changed.id ? changed : step)) };
+}
+
+/** The project with a result of its active step; the same where there is none. */
+export function withResult(project: Project, result: Result | undefined): Project {
+  return result ? withStep(project, { ...activeStep(project), result }) : project;
 }
 
 /** Puts a step after the active one and makes it the active one. */

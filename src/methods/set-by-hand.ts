@@ -39,6 +39,11 @@ export function polyhedronParameter(method: MethodDescriptor | undefined): Choic
   );
 }
 
+/** One of whose choices several can be looked at side by side. */
+export function comparedParameter(method: MethodDescriptor | undefined): ChoiceParameter | undefined {
+  return method?.parameters.find((one): one is ChoiceParameter => one.kind === 'choice' && !!one.toCompare);
+}
+
 function named(method: MethodDescriptor | undefined, kind: ParameterDescriptor['kind']): string | undefined {
   return method?.parameters.find((parameter) => parameter.kind === kind)?.name;
 }

@@ -125,6 +125,7 @@ export const regularizer: ChoiceParameter = {
   doc: 'What details keep: arap their shape around each vertex, farap that of each triangle while edges bend, acap their angles while sizes may change (2021, §4.1).',
   hint: 'Soft keeps details rounded, crisp lets edges fold sharply, elastic lets parts grow and shrink.',
   invalidates: 'all',
+  toCompare: true,
   default: 'arap',
   choices: ['arap', 'farap', 'acap'],
   labels: { arap: 'Soft', farap: 'Crisp', acap: 'Elastic' },

@@ -9,6 +9,8 @@ export interface ChoiceParameter extends Parameter {
   readonly choices: readonly string[];
   /** What a person reads in their place. Default: the names themselves. */
   readonly labels?: Readonly<Record<string, string>>;
+  /** Its choices are best understood side by side on the mesh at hand. */
+  readonly toCompare?: true;
   /** Set where a list of rows will do: how many at most. Whether their lengths make sense is for the core. */
   readonly maxRows?: number;
   /** The rows that names stand for; for pictures, and to begin rows of one's own with. */
