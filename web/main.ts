@@ -4,6 +4,7 @@ import { createBrowserEngine } from '../src/engine/in-browser.ts';
 import { Interaction } from '../src/viewer/interaction.ts';
 import { Viewer } from '../src/viewer/viewer.ts';
 import { Page } from './app/actions.ts';
+import { Comparing } from './app/comparing.ts';
 import { CubeActions } from './app/cube-actions.ts';
 import { listenForDrops } from './app/drop.ts';
 import { followMethod } from './app/follow-method.ts';
@@ -52,6 +53,7 @@ const strength = new StrengthActions(store, editor);
 const planes = new PlaneActions(store, editor);
 const parts = { store, handles, planes, cube, strength, surface, selecting, soon };
 const tools = new ToolBelt(store, interaction, interaction && makeTools({ ...parts, interaction }));
+const comparing = new Comparing({ store, editor, engine, interaction, drawn: nextFrame });
 const saving = new SavingActions({ store, editor, engine, styles, images });
 const page = new Page({
   store,
@@ -65,6 +67,7 @@ const page = new Page({
   selecting,
   strength,
   tools,
+  comparing,
   saving,
   presenter,
   viewer,
@@ -75,7 +78,7 @@ followOverlay(store, viewer);
 followMethod(page);
 for (const panel of document.querySelectorAll<PageElement>('[data-panel]')) panel.page = page;
 if (viewer)
-  followLayout(viewer, element('#stage'), {
+  followLayout({ viewer, store, comparing }, element('#stage'), {
     panel: element('.sheet'),
     bar: element('whittle-viewbar'),
     strip: element('whittle-tool-strip'),

@@ -9,6 +9,7 @@ import { findMethod } from '../../src/methods/registry.ts';
 import type { Viewer } from '../../src/viewer/viewer.ts';
 import type { NormalPainter } from '../tools/paint-normals.ts';
 import { chooseMesh } from './choose-mesh.ts';
+import type { Comparing } from './comparing.ts';
 import type { CubeActions } from './cube-actions.ts';
 import { exportName, ownFormat } from './export.ts';
 import { type FoundFile, found, readBeside, unpackArchives } from './found-files.ts';
@@ -39,6 +40,7 @@ export interface PageParts {
   readonly selecting: Selecting;
   readonly strength: StrengthActions;
   readonly tools: ToolBelt;
+  readonly comparing: Comparing;
   readonly saving: SavingActions;
   readonly presenter: Presenter;
   /** Null where the browser draws no 3D. */
@@ -58,6 +60,7 @@ export class Page {
   readonly selecting: Selecting;
   readonly strength: StrengthActions;
   readonly tools: ToolBelt;
+  readonly comparing: Comparing;
   readonly saving: SavingActions;
   readonly #presenter: Presenter;
   readonly #viewer: Viewer | null;
@@ -65,7 +68,7 @@ export class Page {
 
   constructor(parts: PageParts) {
     const { store, editor, styles, images, painter, handles, cube, planes, strength, selecting } = parts;
-    const { tools, saving, presenter, viewer } = parts;
+    const { tools, comparing, saving, presenter, viewer } = parts;
     this.store = store;
     this.editor = editor;
     this.styles = styles;
@@ -77,6 +80,7 @@ export class Page {
     this.selecting = selecting;
     this.strength = strength;
     this.tools = tools;
+    this.comparing = comparing;
     this.saving = saving;
     this.#presenter = presenter;
     this.#viewer = viewer;

@@ -1,6 +1,7 @@
 import { type EditorState, emptyState, Store } from '../../src/editor/state.ts';
 import type { Overlay, OverlayName } from '../../src/measures/index.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
+import type { Box } from '../../src/viewer/box.ts';
 import type { Shading } from '../../src/viewer/viewer.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { builtInImages, type ImageEntry } from './image-gallery.ts';
@@ -51,6 +52,10 @@ export interface PageState extends EditorState {
   readonly select: SelectState;
   /** What {@link Look.overlay} measures of the project. */
   readonly overlay: Overlay | null;
+  /** The values that are looked at beside the active step's own; none while one looks at that alone. Never undone. */
+  readonly compared: readonly string[];
+  /** Where each picture is on the canvas, the step's own first. */
+  readonly frames: readonly Box[];
   readonly gallery: Gallery;
   /** What there is to lay on the mesh; never undone. */
   readonly images: readonly ImageEntry[];
@@ -65,6 +70,8 @@ export function newPageStore(): PageStore {
     tool: 'turn',
     select: startingSelect,
     overlay: null,
+    compared: [],
+    frames: [],
     gallery: { entries: builtIn, pending: null, flow: null, offer: null, painting: false },
     images: builtInImages,
   });

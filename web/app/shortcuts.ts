@@ -25,6 +25,12 @@ export const shortcuts: readonly Shortcut[] = [
   { key: '2', label: '2', does: 'Flat shading', run: (page) => page.look({ shading: 'flat' }) },
   { key: '3', label: '3', does: 'Wireframe', run: (page) => page.look({ shading: 'wire' }) },
   { key: 'f', label: 'F', does: 'Fit the view', run: (page) => page.fit() },
+  {
+    key: 'n',
+    label: 'N',
+    does: 'Compare choices side by side',
+    run: (page) => page.comparing.toggle(),
+  },
   { key: 'r', label: 'R', does: 'Reset the method', run: (page) => void page.editor.reset() },
   { key: 'p', label: 'P', does: 'Save a picture', run: (page) => void page.saveSnapshot() },
 ];
@@ -52,7 +58,7 @@ function runCommand(event: KeyboardEvent, page: Page, help: () => void): boolean
   }
   if (page.tools.key(event)) return true;
   if (event.altKey) return false;
-  if (key === 'escape') return page.editor.cancel() || dismissNotice(page);
+  if (key === 'escape') return page.editor.cancel() || dismissNotice(page) || page.comparing.leave();
   if (key === '?') {
     help();
     return true;

@@ -1,3 +1,4 @@
+import './comparison.ts';
 import './help.ts';
 import './hint.ts';
 import './legend.ts';

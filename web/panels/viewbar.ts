@@ -1,4 +1,4 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import { shownResult } from '../../src/editor/project.ts';
 import type { Shading } from '../../src/viewer/viewer.ts';
 import { type IconName, icon } from './icons.ts';
@@ -29,9 +29,16 @@ export class WhittleViewbar extends PageElement {
         type="button" class="button compare" data-act="compare" aria-pressed=${look.comparing} ?disabled=${!project || !shownResult(project)}
         title="Hold to see the original (B)" @pointerdown=${this.#hold} @pointerup=${this.#let} @pointercancel=${this.#let} @lostpointercapture=${this.#let} @contextmenu=${(event: Event) => event.preventDefault()} @click=${this.#click}
       >${icon('compare')}<span>Original</span></button>
+      ${page.comparing.parameter ? this.#beside() : nothing}
       <button type="button" class="button" data-act="fit" aria-label="Fit the view" title="Fit the view (F)" @click=${() => page.fit()}>${icon('fit')}</button>
       <button type="button" class="button" data-act="picture" aria-label="Save a picture" title="Save a picture (P)" @click=${() => void page.saveSnapshot()}>${icon('camera')}</button>
     `;
+  }
+
+  #beside() {
+    const { comparing } = this.page;
+    const title = `Compare “${comparing.parameter!.label}” side by side`;
+    return html`<button type="button" class="button" data-act="beside" aria-pressed=${comparing.isOn} aria-label=${title} title="${title} (N)" @click=${() => comparing.toggle()}>${icon('beside')}</button>`;
   }
 
   readonly #hold = (event: PointerEvent): void => {
