@@ -26,7 +26,7 @@ constexpr double kPlane = 1e-6;
 
 double bendRadius(const TriangleMesh& mesh, const MeshEdges& edges, const FacePair& pair) {
   if (pair.angle < kFlat) return std::numeric_limits<double>::infinity();
-  const auto [a, b] = edges.ends[pair.edge];
+  const Index a = edges.ends[pair.edge][0], b = edges.ends[pair.edge][1];
   const auto at = [&](Index v) -> Vec3 { return mesh.positions.row(v).transpose(); };
   const Vec3 way = at(b) - at(a);
   const auto height = [&](Index h) {

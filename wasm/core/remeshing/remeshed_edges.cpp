@@ -76,7 +76,8 @@ bool RemeshedSurface::collapseEdge(Index halfEdge, double scale) {
 }
 
 bool RemeshedSurface::isGood(const Collapse& collapse, double scale) {
-  const auto& [kept, gone, place] = collapse;
+  const Index kept = collapse.kept, gone = collapse.gone;
+  const Vec3& place = collapse.place;
   bool isShortEnough = true;
   mesh_.forEachCorner(gone, [&](Index corner) {
     for (const Index other : {mesh_.head(corner), mesh_.opposite(corner)}) {
