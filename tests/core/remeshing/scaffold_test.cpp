@@ -120,6 +120,12 @@ TEST_CASE("parts that share places have no edge without length, and are tied by 
   const Scaffold scaffold = scaffoldOf(fans, {0, 0, 0, 1, 1, 1});
   CHECK(pairsOf(scaffold.betweenParts).count({0, 3}) == 0);
   CHECK(tiedGroups(scaffold, {0, 0, 0, 1, 1, 1}) == 1);
+  // Several parts in one place, one or several in the other: each has its edge, and none two.
+  Points pairs(5, 3);
+  pairs << 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0;
+  CHECK(pairsOf(scaffoldOf(pairs.topRows<4>(), {0, 1, 2, 3}).betweenParts) == Pairs{{0, 1}, {0, 2}, {0, 3}});
+  CHECK(pairsOf(scaffoldOf(pairs, {0, 0, 1, 2, 1}).betweenParts) == Pairs{{0, 2}, {0, 3}, {1, 4}});
+  CHECK(pairsOf(scaffoldOf(pairs, {0, 1, 1, 1, 1}).betweenParts) == Pairs{{0, 1}});
 }
 
 TEST_CASE("parts that almost touch are tied no firmer than by a thousandth of the mesh") {
