@@ -6,7 +6,8 @@ export type CoreOutcome = 'converged' | 'iteration-limit' | 'stalled';
 
 /** What one step of a session says. */
 export interface Step {
-  readonly outcome: 'running' | CoreOutcome;
+  /** `midway`: of an iteration that takes long; there is nothing to report yet, and the next step goes on with it. */
+  readonly outcome: 'running' | 'midway' | CoreOutcome;
   /** Energy before the step, in the unit frame. */
   readonly energy: number;
   /** Relative displacement of the step (2019, §3.1). */

@@ -120,6 +120,7 @@ async function iterate(mesh: LoadedMesh, run: Run, hop: Hop, energy: number[]): 
     const isWell = energy.length >= leastSteps || (energy.length > 0 && now - began >= leastMilliseconds);
     if (run.isCancelled || (run.isSuperseded && isWell)) return 'cancelled';
     const step = mesh.step();
+    if (step.outcome === 'midway') continue;
     mesh.isOverdue = false;
     energy.push(step.energy);
     if (step.outcome !== 'running') return step.outcome;

@@ -94,6 +94,7 @@ describe('arrows of the house', () => {
       'sparse_cholesky',
       'conjugate_gradients',
       'matrix_field_system',
+      'vector_field_system',
       'constrained_quadratic',
       'ordering',
       'elimination_tree', // for the order of the vertices

@@ -6,6 +6,9 @@ namespace whittle {
 
 namespace {
 
+/// Nodes that take part in the iterations of a slice.
+constexpr Index kSliceOfNodes = 100000;
+
 /// y = B x of a node for a block of 27 rows of lanes.
 inline void multiply(const LaneRow* block, const LaneRow* x, Lanes y[3]) {
   for (int j = 0; j < 3; ++j) y[j] = splat(0);
@@ -27,27 +30,14 @@ void store(LaneRow* rows, const MatrixFieldSystem::Block& block) {
   }
 }
 
-/// Scales and sums in double precision: a hundred thousand nodes would drown in single.
-double dot(const MatrixRows& a, const MatrixRows& b) {
-  DoubleLanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < a.size(); ++i) sum += toDouble(load(&a[i]) * load(&b[i]));
-  return sumOf(sum);
-}
-
-void addScaled(MatrixRows& y, double scale, const MatrixRows& x) {
-  const Lanes s = splat(static_cast<float>(scale));
-  for (std::size_t i = 0; i < y.size(); ++i) whittle::store(&y[i], load(&y[i]) + s * load(&x[i]));
-}
-
 }  // namespace
 
 void MatrixFieldSystem::shape(Graph graph) {
   graph_ = std::move(graph);
-  const std::size_t rows = 3 * static_cast<std::size_t>(size());
   diagonal_.assign(kBlockRows * static_cast<std::size_t>(size()), {});
   inverse_.assign(diagonal_.size(), {});
   couplings_.assign(graph_.neighbours.size(), {});
-  for (MatrixRows* scratch : {&preconditioned_, &direction_, &image_}) scratch->assign(rows, {});
+  gradients_.shape(3 * static_cast<std::size_t>(size()));
 }
 
 Status MatrixFieldSystem::setDiagonal(Index node, const Block& block) {
@@ -104,26 +94,23 @@ double MatrixFieldSystem::squaredNorm(const MatrixRows& b) const {
   return sum;
 }
 
-int MatrixFieldSystem::solve(MatrixRows& residual, double squaredScale, const Limits& limits, MatrixRows& correction) {
-  std::fill(correction.begin(), correction.end(), LaneRow{});
-  const double small = limits.residual * limits.residual * squaredScale;
-  double squared = precondition(residual, preconditioned_);
-  direction_ = preconditioned_;
-  int iteration = 0;
-  for (; iteration < limits.iterations && squared > small; ++iteration) {
-    apply(direction_, image_);
-    const double curvature = dot(direction_, image_);
-    if (!(curvature > 0)) break;  // rounding has the last word
-    const double step = squared / curvature;
-    addScaled(correction, step, direction_);
-    addScaled(residual, -step, image_);
-    const double next = precondition(residual, preconditioned_);
-    const Lanes share = splat(static_cast<float>(next / squared));
-    for (std::size_t i = 0; i < direction_.size(); ++i)
-      whittle::store(&direction_[i], load(&preconditioned_[i]) + share * load(&direction_[i]));
-    squared = next;
+void MatrixFieldSystem::beginSolve(MatrixRows& residual, double squaredScale, const Limits& limits,
+                                   MatrixRows& correction) {
+  residual_ = &residual;
+  correction_ = &correction;
+  small_ = limits.residual * limits.residual * squaredScale;
+  left_ = limits.iterations;
+  gradients_.begin(residual, correction, [this](const MatrixRows& r, MatrixRows& z) { return precondition(r, z); });
+}
+
+bool MatrixFieldSystem::solveNext() {
+  for (Index work = 0; work < kSliceOfNodes && left_ > 0 && gradients_.squared() > small_; work += size(), --left_) {
+    const bool isBetter = gradients_.iterate(
+        *residual_, *correction_, [this](const MatrixRows& x, MatrixRows& y) { apply(x, y); },
+        [this](const MatrixRows& r, MatrixRows& z) { return precondition(r, z); });
+    if (!isBetter) left_ = 1;
   }
-  return iteration;
+  return left_ <= 0 || gradients_.squared() <= small_;
 }
 
 }  // namespace whittle

@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "linear/graph.h"
+#include "linear/lane_gradients.h"
 #include "simd/lanes.h"
 
 namespace whittle {
@@ -39,12 +40,14 @@ class MatrixFieldSystem {
   /// ‖b‖ in the norm of the preconditioner, squared: what `Limits::residual` refers to.
   double squaredNorm(const MatrixRows& b) const;
 
-  /// Makes of a residual the correction X that A X = residual. Allocates nothing.
+  /// Begins to make of a residual the correction X that A X = residual; `solveNext` does it. Neither allocates. Both
+  /// are kept by the caller until the end.
   /// @param residual 3 #nodes rows, overwritten
   /// @param squaredScale ‖b‖² of what the residual is a share of
   /// @param correction 3 #nodes rows, out
-  /// @returns how many iterations it took
-  int solve(MatrixRows& residual, double squaredScale, const Limits& limits, MatrixRows& correction);
+  void beginSolve(MatrixRows& residual, double squaredScale, const Limits& limits, MatrixRows& correction);
+  /// Does a slice of some 20 ms; returns whether all is done.
+  bool solveNext();
 
  private:
   /// Nine columns of three rows of lanes.
@@ -61,7 +64,13 @@ class MatrixFieldSystem {
   LaneRows diagonal_;  // of each node, column after column
   LaneRows inverse_;
   std::vector<Coupling> couplings_;  // one for each place of `neighbours`
-  MatrixRows preconditioned_, direction_, image_;
+
+  // While a solve goes on
+  LaneGradients gradients_;
+  MatrixRows* residual_ = nullptr;
+  MatrixRows* correction_ = nullptr;
+  double small_ = 0;
+  int left_ = 0;
 };
 
 }  // namespace whittle

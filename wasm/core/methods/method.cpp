@@ -5,6 +5,7 @@ namespace whittle {
 const char* outcomeName(Outcome outcome) {
   switch (outcome) {
     case Outcome::running: return "running";
+    case Outcome::midway: return "midway";
     case Outcome::converged: return "converged";
     case Outcome::iterationLimit: return "iteration-limit";
     case Outcome::stalled: return "stalled";

@@ -11,7 +11,13 @@
 
 namespace whittle {
 
-enum class Outcome { running, converged, iterationLimit, stalled };
+enum class Outcome {
+  running,
+  midway,  // of an iteration that takes long: there is no report yet, and the next step goes on with it
+  converged,
+  iterationLimit,
+  stalled
+};
 
 /// The name that TypeScript knows an outcome by, e.g. "iteration-limit".
 const char* outcomeName(Outcome outcome);
@@ -42,7 +48,7 @@ class Method {
   /// them where constraints hold them.
   virtual void begin(Points& positions) = 0;
 
-  /// One iteration, in place. Allocates nothing. After a failure the positions are those before it.
+  /// One iteration, in place, or a part of one that takes long. Allocates nothing. After a failure the positions are those before it.
   virtual Status step(Points& positions, StepReport& report) = 0;
 
   /// What a person should know of these settings on this mesh, a sentence each.

@@ -47,7 +47,7 @@ class Session {
   /// What the next call of `prepareNext` does, in a few words for people; "" where nothing is to be prepared.
   const char* stage();
 
-  /// One iteration of a prepared run. Fails with `numericalFailure`; the positions are then those before the step.
+  /// One iteration of a prepared run, or a part of one (`Outcome::midway`). Fails with `numericalFailure`; the positions are then those before the step.
   Status step(StepReport& report);
 
   /// What a person should know of the values on this mesh, a sentence each.

@@ -21,19 +21,25 @@ void Alternation::begin(const RestSurface& surface, const EnergyWeights& weights
   vertices_ = &vertices;
   system_ = &transformations;
   limits_ = limits;
-  positions_ = previous_ = best_ = surface.mesh.positions;
+  positions_ = best_ = surface.mesh.positions;
   halfEdges_.resize(surface.halfEdgeCount(), 3);
   tau_.assign(surface.faceCount(), Mat3::Identity());
   goals_ = restGoals(surface);
+  stage_ = Stage::assembling;
+  next_ = positions_;
   iterations_ = 0;
   bestEnergy_ = std::numeric_limits<double>::infinity();
 }
 
 void Alternation::resume(const Points& positions) {
   positions_ = positions;
+  beginTransformations();
+}
+
+void Alternation::beginTransformations() {
   halfEdgeVectors(positions_, surface_->mesh.triangles, halfEdges_);
-  system_->solve(halfEdges_, limits_.transformations, tau_);
-  setGoals();
+  system_->beginSolve(halfEdges_, limits_.transformations, tau_);
+  stage_ = Stage::transformations;
 }
 
 void Alternation::setGoals() {
@@ -54,27 +60,37 @@ void Alternation::setGoals() {
 }
 
 Status Alternation::iterate(StepReport& report) {
-  vertices_->assemble(goals_, tau_);
-  previous_ = positions_;
-  if (Status status = vertices_->solve(limits_.tolerance, positions_); !status.ok()) {
-    positions_ = previous_;
-    return status;
+  report.outcome = Outcome::midway;
+  switch (stage_) {
+    case Stage::transformations:
+      if (!system_->solveNext()) return {};
+      setGoals();
+      stage_ = Stage::assembling;
+      [[fallthrough]];
+    case Stage::assembling:
+      vertices_->assemble(goals_, tau_);
+      next_ = positions_;
+      vertices_->beginSolve(limits_.tolerance, next_);
+      stage_ = Stage::vertices;
+      [[fallthrough]];
+    case Stage::vertices: break;
   }
-  const double energy = vertexEnergy(*surface_, weights_, goals_, tau_, positions_) +
-                        rowEnergy(vertices_->rows(), positions_) + system_->energy(tau_);
-  const double move = std::sqrt((positions_ - previous_).rowwise().squaredNorm().maxCoeff());
+  bool isSolved = false;
+  if (Status status = vertices_->solveNext(isSolved); !status.ok() || !isSolved) return status;
+  return this->report(report);
+}
+
+Status Alternation::report(StepReport& report) {
+  const double energy = vertexEnergy(*surface_, weights_, goals_, tau_, next_) + rowEnergy(vertices_->rows(), next_) +
+                        system_->energy(tau_);
+  const double move = std::sqrt((next_ - positions_).rowwise().squaredNorm().maxCoeff());
   if (!std::isfinite(energy) || !std::isfinite(move)) {
-    positions_ = previous_;
     return Status::failure(Code::numericalFailure,
                            "the iteration lost its numbers; the mesh may hold faces too thin to compute with");
   }
-  report.energy = energy;
-  report.change = move;
-  report.outcome = judge(energy, move);
-  if (report.outcome != Outcome::running) return {};
-  halfEdgeVectors(positions_, surface_->mesh.triangles, halfEdges_);
-  system_->solve(halfEdges_, limits_.transformations, tau_);
-  setGoals();
+  positions_.swap(next_);
+  report = {judge(energy, move), energy, move};
+  if (report.outcome == Outcome::running) beginTransformations();
   return {};
 }
 

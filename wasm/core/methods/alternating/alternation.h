@@ -9,7 +9,7 @@ namespace whittle {
 /// When a run ends (App. A). Lengths in the unit frame.
 struct AlternationLimits {
   int iterations = 100;
-  double tolerance = 1e-5;  // of each vertex solve
+  double tolerance = 1e-3;  // of each vertex solve, of what is left to do
   MatrixFieldSystem::Limits transformations;
   /// The move of an iteration times a fifth of their number, below which nobody sees what is still to come; 0: as
   /// printed, only moves below a hundredth of the mean edge end the run.
@@ -26,14 +26,19 @@ class Alternation {
   /// Starts from positions that an earlier run of the same surface came to: transformations are those that suit them.
   void resume(const Points& positions);
 
-  /// One iteration. Allocates nothing. Fails with `numericalFailure`.
+  /// Does a slice of an iteration; all but its last ones report `midway`. Allocates nothing. Fails with
+  /// `numericalFailure`.
   Status iterate(StepReport& report);
 
   const Points& positions() const { return positions_; }
   const Transformations& transformations() const { return tau_; }
 
  private:
+  enum class Stage { assembling, vertices, transformations };
+
+  void beginTransformations();
   void setGoals();
+  Status report(StepReport& report);
   Outcome judge(double energy, double move);
 
   const RestSurface* surface_ = nullptr;
@@ -42,7 +47,9 @@ class Alternation {
   TransformationSystem* system_ = nullptr;
   AlternationLimits limits_;
 
-  Points positions_, previous_, best_;
+  Stage stage_ = Stage::assembling;
+  Points positions_, best_;
+  Points next_;       // while the vertex solve goes on
   Points halfEdges_;  // e, 3#F×3
   Transformations tau_;
   EdgeGoals goals_;

@@ -16,7 +16,7 @@ constexpr int kRings = 4;
 constexpr double kBent = 10 * EIGEN_PI / 180;
 constexpr double kConcentrated = 2;
 constexpr double kHeld = 1e5;
-constexpr double kTolerance = 1e-8;
+constexpr double kTolerance = 1e-5;
 
 /// Grows rings of faces around vertices: the faces of the vertices are ring 1, those that share a vertex with ring k
 /// and are in no ring yet are ring k + 1.

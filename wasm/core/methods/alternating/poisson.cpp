@@ -6,7 +6,7 @@ namespace whittle {
 
 namespace {
 
-constexpr double kTolerance = 1e-8;
+constexpr double kTolerance = 1e-5;
 
 }  // namespace
 

@@ -47,12 +47,12 @@ std::vector<Stage> Reshape::plan(const TriangleMesh& rest, const ReshapeParamete
     return plan.stages();
   }
   working_.addStages(rest, values, plan);
-  plan.add(Stale::system, "assembling the system", 10, [this, &values] { return shape(values); })
+  plan.add(Stale::system, "assembling the system", 10, [this, &values] { shape(values); })
       .add(Stale::system, "factoring the system", 40,
            [this](double& done) {
              return variant_ == Variant::poisson ? poisson_.prepareNext(done) : run_.prepareNext(done);
            })
-      .add(Stale::targets, "taking the handles", 2, [this, &values] { return aim(values); });
+      .add(Stale::targets, "taking the handles", 2, [this, &values] { aim(values); });
   return plan.stages();
 }
 
@@ -81,7 +81,7 @@ void Reshape::planLocalGlobal(const TriangleMesh& rest, const ReshapeParameters&
   });
 }
 
-Status Reshape::shape(const ReshapeParameters& values) {
+void Reshape::shape(const ReshapeParameters& values) {
   RunRows rows;
   for (const Index v : values.handles.vertices)
     rows.handles.push_back(handleRow(*rest_, working_.mesh(), working_.transfer(), v));
@@ -90,11 +90,11 @@ Status Reshape::shape(const ReshapeParameters& values) {
   if (variant_ == Variant::poisson) {
     rows.handles.insert(rows.handles.end(), rows.others.begin(), rows.others.end());
     poisson_.shape(working_.surface(), std::move(rows.handles));
-    return {};
+    return;
   }
   const Box box = boundingBox(*rest_);
-  return run_.shape(working_.surface(), working_.structure(),
-                    {values.variant, values.reading, working_.features(), box.diagonal().norm()}, std::move(rows));
+  run_.shape(working_.surface(), working_.structure(),
+             {values.variant, values.reading, working_.features(), box.diagonal().norm()}, std::move(rows));
 }
 
 std::vector<PointRow> Reshape::otherRows(const ReshapeParameters& values, const std::vector<PointRow>& handles) const {
@@ -105,10 +105,9 @@ std::vector<PointRow> Reshape::otherRows(const ReshapeParameters& values, const 
     addScaffoldRows(working_.scaffold(), positions, rows);
   }
   if (values.variant != Variant::poisson) {
-    VertexChains chains = working_.structure().straightChains;
-    for (std::vector<Index>& chain : chainsAlong(values.straight, rest_->positions, working_.surface()))
-      chains.push_back(std::move(chain));
-    addStraightRows(chains, positions, rows);
+    addStraightRows(working_.structure().straightChains, Straightness::asAtRest, positions, rows);
+    addStraightRows(chainsAlong(values.straight, rest_->positions, working_.surface()), Straightness::straight,
+                    positions, rows);
   }
   addPins(working_.surface(), handles, rows);
   return rows;
@@ -125,7 +124,7 @@ void Reshape::setGesture() {
   }
 }
 
-Status Reshape::aim(const ReshapeParameters& values) {
+void Reshape::aim(const ReshapeParameters& values) {
   handles_ = values.handles;
   setGesture();
   std::vector<Vec3> targets;
@@ -136,10 +135,10 @@ Status Reshape::aim(const ReshapeParameters& values) {
   }
   if (variant_ == Variant::poisson) {
     poisson_.aim(targets);
-    return {};
+    return;
   }
   run_.limit(values.finalize, values.maxIterations);
-  return run_.aim(targets);
+  run_.aim(targets);
 }
 
 void Reshape::begin(Points& positions) {
@@ -147,15 +146,14 @@ void Reshape::begin(Points& positions) {
     if (isGesture_) arap_.begin(positions);
     return;
   }
-  beginning_ = {};
   if (variant_ == Variant::poisson) return;
   const double times = shareOfGestureBefore();
   if (positions == rest_->positions || positions.rows() != emitted_.rows() || positions != emitted_ || times <= 0) {
-    beginning_ = run_.begin();
+    run_.begin();
     return;
   }
   const Points& rest = working_.surface().mesh.positions;
-  beginning_ = run_.resume(rest + times * (workingPositions_ - rest));
+  run_.resume(rest + times * (workingPositions_ - rest));
 }
 
 double Reshape::shareOfGestureBefore() const {
@@ -179,9 +177,9 @@ Status Reshape::step(Points& positions, StepReport& report) {
     return {};
   }
   if (isLocalGlobal()) return arap_.step(positions, report);
-  if (!beginning_.ok()) return beginning_;
   const bool isPoisson = variant_ == Variant::poisson;
   if (Status status = isPoisson ? poisson_.step(report) : run_.step(report); !status.ok()) return status;
+  if (report.outcome == Outcome::midway) return {};
   workingPositions_ = isPoisson ? poisson_.positions() : run_.positions();
   working_.transfer().carry(workingPositions_, positions);
   emitted_ = positions;

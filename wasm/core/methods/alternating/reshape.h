@@ -25,8 +25,8 @@ class Reshape final : public MethodOf<ReshapeParameters> {
   bool isLocalGlobal() const { return variant_ == Variant::arap || variant_ == Variant::conformal; }
   void planLocalGlobal(const TriangleMesh& rest, const ReshapeParameters& values, Stale stale, Plan& plan);
   ArapParameters arapValues(const ReshapeParameters& values) const;
-  Status shape(const ReshapeParameters& values);
-  Status aim(const ReshapeParameters& values);
+  void shape(const ReshapeParameters& values);
+  void aim(const ReshapeParameters& values);
   std::vector<PointRow> otherRows(const ReshapeParameters& values, const std::vector<PointRow>& handles) const;
   void setGesture();
   /// The gesture as a multiple of the one that the last result is of; 0 where there is none.
@@ -43,9 +43,8 @@ class Reshape final : public MethodOf<ReshapeParameters> {
   Handles handles_;
   bool isGesture_ = false;                       // whether a handle is to move
   std::vector<Vec3> handleMoves_, movesBefore_;  // of this gesture; of the one that `emitted_` is of
-  Status beginning_;
-  Points emitted_;           // the positions that the last step left, of the input
-  Points workingPositions_;  // those of the working mesh that they came from
+  Points emitted_;                               // the positions that the last step left, of the input
+  Points workingPositions_;                      // those of the working mesh that they came from
 };
 
 /// Registry line of the method `reshape`.

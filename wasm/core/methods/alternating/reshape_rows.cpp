@@ -29,7 +29,8 @@ PointRow handleRow(const TriangleMesh& input, const DerivedMesh& working, const 
   return row;
 }
 
-void addStraightRows(const VertexChains& chains, const Points& rest, std::vector<PointRow>& rows) {
+void addStraightRows(const VertexChains& chains, Straightness straightness, const Points& rest,
+                     std::vector<PointRow>& rows) {
   for (const std::vector<Index>& chain : chains) {
     for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
       const double before = (rest.row(chain[i]) - rest.row(chain[i - 1])).norm();
@@ -40,6 +41,7 @@ void addStraightRows(const VertexChains& chains, const Points& rest, std::vector
       row.add(chain[i + 1], 1 / after);
       row.add(chain[i], -1 / after - 1 / before);
       row.add(chain[i - 1], 1 / before);
+      if (straightness == Straightness::asAtRest) row.target = row.residual(rest);
       rows.push_back(row);
     }
   }

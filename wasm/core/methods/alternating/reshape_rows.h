@@ -12,8 +12,11 @@ namespace whittle {
 /// target, its residual at rest is how far off the working mesh the vertex lies.
 PointRow handleRow(const TriangleMesh& input, const DerivedMesh& working, const Transfer& transfer, Index vertex);
 
-/// Rows that keep chains straight (Eq. 22). Vertices are those of the working mesh.
-void addStraightRows(const VertexChains& chains, const Points& rest, std::vector<PointRow>& rows);
+/// Rows that keep chains straight (Eq. 22), or as straight as they are: what is found may bend by 2° at rest, and must not
+/// jump as soon as something moves. Vertices are those of the working mesh.
+enum class Straightness { straight, asAtRest };
+void addStraightRows(const VertexChains& chains, Straightness straightness, const Points& rest,
+                     std::vector<PointRow>& rows);
 /// Rows that keep parts that touch in touch.
 void addAttachmentRows(const std::vector<Attachment>& attachments, const Points& rest, std::vector<PointRow>& rows);
 /// Rows that keep the edges of a scaffold, weakly.

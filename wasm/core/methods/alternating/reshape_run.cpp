@@ -25,14 +25,38 @@ std::vector<PointRow> joined(const RunRows& rows) {
 
 }  // namespace
 
-Status ReshapeRun::Attempt::shape(const ReshapeTerms& wanted, const std::vector<bool>& keptPatches) {
+void ReshapeRun::Attempt::setTerms(const ReshapeTerms& wanted, const std::vector<bool>& keptPatches) {
   terms = wanted;
-  setTerms(terms, structure, keptPatches, surface);
-  return transformations.shape(surface, terms.weights);
+  whittle::setTerms(terms, structure, keptPatches, surface);
+  transformations.shape(surface, terms.weights);
+  areTransformationsReady_ = false;
 }
 
-Status ReshapeRun::shape(const RestSurface& rest, const Structure& structure, const RunSettings& settings,
-                         RunRows rows) {
+void ReshapeRun::Attempt::setRows(std::vector<PointRow> rows) {
+  vertices.shape(surface, terms.weights, std::move(rows));
+  vertices.assemble(restGoals(surface), Transformations(surface.faceCount(), Mat3::Identity()));
+  vertices.beginPrepare();
+  areVerticesReady_ = false;
+}
+
+Status ReshapeRun::Attempt::prepareNext(double& share) {
+  constexpr double kTransformations = 0.4;  // share of the work
+  Status status;
+  if (!areTransformationsReady_) {
+    status = transformations.prepareNext(share);
+    areTransformationsReady_ = share == 1;
+    share *= areVerticesReady_ ? 1 : kTransformations;
+  } else if (!areVerticesReady_) {
+    status = vertices.prepareNext(share);
+    areVerticesReady_ = share == 1;
+    share = kTransformations + (1 - kTransformations) * share;
+  } else {
+    share = 1;
+  }
+  return status;
+}
+
+void ReshapeRun::shape(const RestSurface& rest, const Structure& structure, const RunSettings& settings, RunRows rows) {
   settings_ = settings;
   rows_ = std::move(rows);
   rest_ = &rest;
@@ -42,16 +66,8 @@ Status ReshapeRun::shape(const RestSurface& rest, const Structure& structure, co
   first_->structure = structure;
   rung_ = Rung::full;
   keptPatches_ = findKeptPatches(structure);
-  Status status = first_->shape(ReshapeTerms::of(settings.variant, settings.reading, rung_), keptPatches_);
-  if (!status.ok()) return status;
-  first_->beginVertices(joined(rows_));
-  return {};
-}
-
-void ReshapeRun::Attempt::beginVertices(std::vector<PointRow> rows) {
-  vertices.shape(surface, terms.weights, std::move(rows));
-  vertices.assemble(restGoals(surface), Transformations(surface.faceCount(), Mat3::Identity()));
-  vertices.beginPrepare();
+  first_->setTerms(ReshapeTerms::of(settings.variant, settings.reading, rung_), keptPatches_);
+  first_->setRows(joined(rows_));
 }
 
 std::vector<bool> ReshapeRun::findKeptPatches(const Structure& structure) const {
@@ -70,13 +86,13 @@ std::vector<bool> ReshapeRun::findKeptPatches(const Structure& structure) const 
   return keptPatches(structure.patches, rest_->mesh, moves);
 }
 
-Status ReshapeRun::aim(const std::vector<Vec3>& targets) {
+void ReshapeRun::aim(const std::vector<Vec3>& targets) {
   for (std::size_t h = 0; h < targets.size(); ++h) rows_.handles[h].target = targets[h];
   std::copy(rows_.handles.begin(), rows_.handles.end(), first_->vertices.rows().begin());
   std::vector<bool> kept = findKeptPatches(first_->structure);
-  if (kept == keptPatches_) return {};
+  if (kept == keptPatches_) return;
   keptPatches_ = std::move(kept);
-  return first_->shape(first_->terms, keptPatches_);
+  first_->setTerms(first_->terms, keptPatches_);
 }
 
 void ReshapeRun::limit(bool finalize, int maxIterations) {
@@ -91,30 +107,46 @@ AlternationLimits ReshapeRun::limits() const {
   return limits;
 }
 
-Status ReshapeRun::setRung(Rung rung) {
+void ReshapeRun::setRung(Rung rung) {
   second_.reset();
-  if (rung == rung_) return {};
+  search_.reset();
+  isReady_ = false;
+  if (rung == rung_) return;
   rung_ = rung;
-  return first_->shape(ReshapeTerms::of(settings_.variant, settings_.reading, rung), keptPatches_);
+  first_->setTerms(ReshapeTerms::of(settings_.variant, settings_.reading, rung), keptPatches_);
 }
 
 void ReshapeRun::Attempt::begin(const AlternationLimits& limits) {
   alternation.begin(surface, terms.weights, vertices, transformations, limits);
 }
 
-Status ReshapeRun::begin() {
+void ReshapeRun::begin() {
   isDone_ = hasBest_ = false;
   remarks_.clear();
-  if (Status status = setRung(Rung::full); !status.ok()) return status;
-  first_->begin(limits());
+  resumed_.reset();
+  setRung(Rung::full);
   shown_ = rest_->mesh.positions;
-  return {};
 }
 
-Status ReshapeRun::resume(const Points& positions) {
-  if (Status status = begin(); !status.ok()) return status;
-  first_->alternation.resume(positions);
+void ReshapeRun::resume(const Points& positions) {
+  begin();
   shown_ = positions;
+  resumed_ = positions;
+}
+
+/// Makes the present attempt ready, a slice at a time.
+Status ReshapeRun::prepareAttempt() {
+  if (search_) {
+    findSecondStructure();
+    return {};
+  }
+  Attempt& attempt = second_ ? *second_ : *first_;
+  double share = 1;
+  if (Status status = attempt.prepareNext(share); !status.ok() || share < 1) return status;
+  attempt.begin(limits());
+  if (resumed_) attempt.alternation.resume(*resumed_);
+  resumed_.reset();
+  isReady_ = true;
   return {};
 }
 
@@ -129,8 +161,13 @@ Status ReshapeRun::step(StepReport& report) {
     report = {outcome_, 0, 0};
     return {};
   }
+  report.outcome = Outcome::midway;
+  if (!isReady_) {
+    if (Status status = prepareAttempt(); !status.ok() || !isReady_) return status;
+  }
   Attempt& attempt = second_ ? *second_ : *first_;
   if (Status status = attempt.alternation.iterate(report); !status.ok()) return status;
+  if (report.outcome == Outcome::midway) return {};
   if (!hasBest_) shown_ = attempt.alternation.positions();
   if (report.outcome == Outcome::running) return {};
   outcome_ = report.outcome;
@@ -141,7 +178,10 @@ Status ReshapeRun::step(StepReport& report) {
 
 Status ReshapeRun::finish(Attempt& attempt) {
   result_ = attempt.alternation.positions();
-  if (!second_ && handleError(result_) > kMissed) return repeat();
+  if (!second_ && handleError(result_) > kMissed) {
+    repeat();
+    return {};
+  }
   if (finalize_) {
     if (Status status = spread(attempt); !status.ok()) return status;
   }
@@ -153,8 +193,7 @@ Status ReshapeRun::finish(Attempt& attempt) {
   }
   const bool hasLadder = settings_.variant == Variant::slippage && settings_.reading == Reading::tuned;
   if (hasLadder && !folds.isClean() && rung_ != Rung::none) {
-    if (Status status = setRung(static_cast<Rung>(static_cast<int>(rung_) + 1)); !status.ok()) return status;
-    first_->begin(limits());
+    setRung(static_cast<Rung>(static_cast<int>(rung_) + 1));
     return {};
   }
   isDone_ = true;
@@ -186,23 +225,21 @@ Status ReshapeRun::judge() {
   return {};
 }
 
-Status ReshapeRun::repeat() {
-  auto attempt = std::make_unique<Attempt>();
-  attempt->surface = measureSurface({result_, rest_->mesh.triangles});
-  StructureSearch search(attempt->surface, settings_.features);
-  while (search.next() < 1) {
-  }
-  attempt->structure = search.take();
-  // The same parts keep their radius as in the first run.
-  attempt->structure.patches = first_->structure.patches;
-  if (Status status = attempt->shape(first_->terms, keptPatches_); !status.ok()) return status;
-  attempt->beginVertices(joined(rows_));
-  for (double share = 0; share < 1;) {
-    if (Status status = attempt->vertices.prepareNext(share); !status.ok()) return status;
-  }
-  second_ = std::move(attempt);
-  second_->begin(limits());
-  return {};
+void ReshapeRun::repeat() {
+  second_ = std::make_unique<Attempt>();
+  second_->surface = measureSurface({result_, rest_->mesh.triangles});
+  search_ = std::make_unique<StructureSearch>(second_->surface, settings_.features);
+  isReady_ = false;
+}
+
+/// The parts that keep their radius are those of the first run.
+void ReshapeRun::findSecondStructure() {
+  if (search_->next() < 1) return;
+  second_->structure = search_->take();
+  search_.reset();
+  second_->structure.patches = first_->structure.patches;
+  second_->setTerms(first_->terms, keptPatches_);
+  second_->setRows(joined(rows_));
 }
 
 Status ReshapeRun::spread(Attempt& attempt) {

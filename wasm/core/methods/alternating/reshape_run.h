@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "methods/alternating/alternation.h"
@@ -28,19 +29,19 @@ struct RunRows {
 /// over, again with less of what keeps round parts.
 class ReshapeRun {
  public:
+  /// Begins to take a surface; `prepareNext` does it slice by slice.
   /// @param rest, structure to be kept by the caller, their terms not set
-  Status shape(const RestSurface& rest, const Structure& structure, const RunSettings& settings, RunRows rows);
-  /// Factors the first vertex solve, slice by slice.
-  Status prepareNext(double& share) { return first_->vertices.prepareNext(share); }
+  void shape(const RestSurface& rest, const Structure& structure, const RunSettings& settings, RunRows rows);
+  Status prepareNext(double& share) { return first_->prepareNext(share); }
 
-  /// Other targets for the same handles. Fails with `numericalFailure`.
-  Status aim(const std::vector<Vec3>& targets);
+  /// Other targets for the same handles.
+  void aim(const std::vector<Vec3>& targets);
   void limit(bool finalize, int maxIterations);
 
   /// Starts from rest, or from positions that a run before came to.
-  Status begin();
-  Status resume(const Points& positions);
-  /// One iteration; the last one ends with a result. Fails with `numericalFailure`, or with `badHandles` where the
+  void begin();
+  void resume(const Points& positions);
+  /// One iteration, or a part of one; the last one ends with a result. Fails with `numericalFailure`, or with `badHandles` where the
   /// gesture would turn much of the shape inside out.
   Status step(StepReport& report);
 
@@ -61,16 +62,23 @@ class ReshapeRun {
     TransformationSystem transformations;
     Alternation alternation;
 
-    Status shape(const ReshapeTerms& wanted, const std::vector<bool>& keptPatches);
-    void beginVertices(std::vector<PointRow> rows);
+    /// Takes other terms, and then the rows; `prepareNext` does what that asks for, slice by slice.
+    void setTerms(const ReshapeTerms& wanted, const std::vector<bool>& keptPatches);
+    void setRows(std::vector<PointRow> rows);
+    Status prepareNext(double& share);
     void begin(const AlternationLimits& limits);
+
+   private:
+    bool areTransformationsReady_ = false, areVerticesReady_ = false;
   };
 
-  Status setRung(Rung rung);
+  void setRung(Rung rung);
+  Status prepareAttempt();
   AlternationLimits limits() const;
   std::vector<bool> findKeptPatches(const Structure& structure) const;
   Status finish(Attempt& attempt);
-  Status repeat();
+  void repeat();
+  void findSecondStructure();
   Status spread(Attempt& attempt);
   Status judge();
   double handleError(const Points& positions) const;
@@ -82,8 +90,11 @@ class ReshapeRun {
   const RestSurface* rest_ = nullptr;
   std::vector<bool> keptPatches_;
   Rung rung_ = Rung::full;
-  std::unique_ptr<Attempt> first_;   // from the rest shape
-  std::unique_ptr<Attempt> second_;  // from what the first came to, if it missed a handle
+  std::unique_ptr<Attempt> first_;           // from the rest shape
+  std::unique_ptr<Attempt> second_;          // from what the first came to, if it missed a handle
+  std::unique_ptr<StructureSearch> search_;  // while the second is made
+  bool isReady_ = false;                     // whether the present attempt may iterate
+  std::optional<Points> resumed_;            // where it is to start
   bool isDone_ = false;
   Outcome outcome_ = Outcome::running;
   Points result_;  // of the present rung

@@ -11,6 +11,8 @@ namespace {
 
 using Block = MatrixFieldSystem::Block;
 
+constexpr Index kSliceOfFaces = 8000;
+
 /// P = ê êᵀ + ω d̂ d̂ᵀ of a pair of faces.
 Mat3 couplingOf(const Hinge& hinge, double similarity) {
   return hinge.along * hinge.along.transpose() + similarity * hinge.across * hinge.across.transpose();
@@ -32,14 +34,23 @@ void addOuter(double weight, const Vec3& n, const Vec3& u, Block& block) {
 
 }  // namespace
 
-Status TransformationSystem::shape(const RestSurface& surface, const EnergyWeights& weights) {
+void TransformationSystem::shape(const RestSurface& surface, const EnergyWeights& weights) {
   surface_ = &surface;
   weights_ = weights;
   residual_.resize(surface.faceCount());
   rows_.assign(3 * static_cast<std::size_t>(surface.faceCount()), {});
   correction_ = rows_;
   addHinges();
-  return setDiagonals();
+  nextFace_ = 0;
+}
+
+Status TransformationSystem::prepareNext(double& share) {
+  const Index end = std::min(nextFace_ + kSliceOfFaces, surface_->faceCount());
+  for (; nextFace_ < end; ++nextFace_) {
+    if (Status status = setDiagonal(nextFace_); !status.ok()) return status;
+  }
+  share = static_cast<double>(nextFace_) / surface_->faceCount();
+  return {};
 }
 
 void TransformationSystem::addHinges() {
@@ -67,33 +78,30 @@ void TransformationSystem::addHinges() {
     system_.setCoupling(place, couplings[place]);
 }
 
-Status TransformationSystem::setDiagonals() {
+Status TransformationSystem::setDiagonal(Index f) {
   const RestSurface& surface = *surface_;
-  for (Index f = 0; f < surface.faceCount(); ++f) {
-    const Vec3 c = surface.keptDirections.row(f).transpose();
-    const Mat3 edges = surface.halfEdges.middleRows<3>(3 * f).transpose() * surface.halfEdges.middleRows<3>(3 * f);
-    Block block = Block::Zero();
-    addOnRows(couplingSums_[f] + edges / surface.averageLength + weights_.regularizer * Mat3::Identity() +
-                  weights_.keptRadius * c * c.transpose(),
-              block);
-    for (int i = 0; i < 3; ++i) {
-      const Index h = 3 * f + i;
-      const Vec3 u = surface.halfEdges.row(h).transpose() / surface.lengths[h];
-      addOuter(weights_.normal, surface.edgeNormals.row(h).transpose(), u, block);
-      if (surface.sphericity[f] > 0) {
-        const Vec3 w = -surface.halfEdges.row(3 * f + (i + 2) % 3).transpose() / surface.lengths[3 * f + (i + 2) % 3];
-        const Mat3 R = cornerRotation(surface, f, i);
-        for (int axis = 0; axis < 3; ++axis) {
-          Eigen::Matrix<double, 9, 1> factors;
-          for (int j = 0; j < 3; ++j)
-            factors.segment<3>(3 * j) = w[j] * Vec3::Unit(axis) - u[j] * R.row(axis).transpose();
-          block += surface.sphericity[f] * factors * factors.transpose();
-        }
+  const Vec3 c = surface.keptDirections.row(f).transpose();
+  const Mat3 edges = surface.halfEdges.middleRows<3>(3 * f).transpose() * surface.halfEdges.middleRows<3>(3 * f);
+  Block block = Block::Zero();
+  addOnRows(couplingSums_[f] + edges / surface.averageLength + weights_.regularizer * Mat3::Identity() +
+                weights_.keptRadius * c * c.transpose(),
+            block);
+  for (int i = 0; i < 3; ++i) {
+    const Index h = 3 * f + i;
+    const Vec3 u = surface.halfEdges.row(h).transpose() / surface.lengths[h];
+    addOuter(weights_.normal, surface.edgeNormals.row(h).transpose(), u, block);
+    if (surface.sphericity[f] > 0) {
+      const Vec3 w = -surface.halfEdges.row(3 * f + (i + 2) % 3).transpose() / surface.lengths[3 * f + (i + 2) % 3];
+      const Mat3 R = cornerRotation(surface, f, i);
+      for (int axis = 0; axis < 3; ++axis) {
+        Eigen::Matrix<double, 9, 1> factors;
+        for (int j = 0; j < 3; ++j)
+          factors.segment<3>(3 * j) = w[j] * Vec3::Unit(axis) - u[j] * R.row(axis).transpose();
+        block += surface.sphericity[f] * factors * factors.transpose();
       }
     }
-    if (Status status = system_.setDiagonal(f, block); !status.ok()) return status;
   }
-  return {};
+  return system_.setDiagonal(f, block);
 }
 
 void TransformationSystem::residualOf(const Points& halfEdges, const Transformations& transformations) {
@@ -126,8 +134,8 @@ void TransformationSystem::residualOf(const Points& halfEdges, const Transformat
   }
 }
 
-int TransformationSystem::solve(const Points& halfEdges, const MatrixFieldSystem::Limits& limits,
-                                Transformations& transformations) {
+void TransformationSystem::beginSolve(const Points& halfEdges, const MatrixFieldSystem::Limits& limits,
+                                      Transformations& transformations) {
   const auto toRows = [&](const auto& matrixOf) {
     for (Index f = 0; f < surface_->faceCount(); ++f) {
       const Mat3 matrix = matrixOf(f);
@@ -144,14 +152,19 @@ int TransformationSystem::solve(const Points& halfEdges, const MatrixFieldSystem
   const double scale = system_.squaredNorm(rows_);
   residualOf(halfEdges, transformations);
   toRows([&](Index f) -> Mat3 { return residual_[f]; });
-  const int iterations = system_.solve(rows_, scale, limits, correction_);
+  solved_ = &transformations;
+  system_.beginSolve(rows_, scale, limits, correction_);
+}
+
+bool TransformationSystem::solveNext() {
+  if (!system_.solveNext()) return false;
   for (Index f = 0; f < surface_->faceCount(); ++f) {
     for (int j = 0; j < 3; ++j) {
       const LaneRow& row = correction_[3 * f + j];
-      transformations[f].col(j) += Vec3(row.x, row.y, row.z);
+      (*solved_)[f].col(j) += Vec3(row.x, row.y, row.z);
     }
   }
-  return iterations;
+  return true;
 }
 
 double TransformationSystem::energy(const Transformations& transformations) const {

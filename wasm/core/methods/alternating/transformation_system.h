@@ -10,19 +10,22 @@ namespace whittle {
 /// iteration nor with the handles, and its single precision shadow finds the correction to what a residual leaves.
 class TransformationSystem {
  public:
-  /// Takes the terms of a surface, which the caller keeps.
-  Status shape(const RestSurface& surface, const EnergyWeights& weights);
+  /// Begins to take the terms of a surface, which the caller keeps; `prepareNext` does it slice by slice. Fails with
+  /// `numericalFailure`.
+  void shape(const RestSurface& surface, const EnergyWeights& weights);
+  Status prepareNext(double& share);
 
-  /// Moves transformations to the minimum for half edges e, 3#F×3. Allocates nothing.
-  /// @returns how many iterations that took
-  int solve(const Points& halfEdges, const MatrixFieldSystem::Limits& limits, Transformations& transformations);
+  /// Begins to move transformations, which the caller keeps, to the minimum for half edges e, 3#F×3; `solveNext` does it
+  /// slice by slice and returns whether all is done. Neither allocates.
+  void beginSolve(const Points& halfEdges, const MatrixFieldSystem::Limits& limits, Transformations& transformations);
+  bool solveNext();
 
   /// The energy of these transformations without the term that ties them to half edges.
   double energy(const Transformations& transformations) const;
 
  private:
   void addHinges();
-  Status setDiagonals();
+  Status setDiagonal(Index face);
   void residualOf(const Points& halfEdges, const Transformations& transformations);
 
   const RestSurface* surface_ = nullptr;
@@ -30,8 +33,9 @@ class TransformationSystem {
   MatrixFieldSystem system_;
   std::vector<Mat3> couplingSums_;  // #F, Σ P of each face
   std::vector<Mat3> residual_;      // #F
-  std::vector<Mat3> sphericity_;    // #F, scratch of the set-up
+  Index nextFace_ = 0;              // whose diagonal block is to be set
   MatrixRows rows_, correction_;
+  Transformations* solved_ = nullptr;  // while a solve goes on
 };
 
 }  // namespace whittle

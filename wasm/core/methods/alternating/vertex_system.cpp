@@ -1,14 +1,30 @@
 #include "methods/alternating/vertex_system.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace whittle {
 
 namespace {
 
-/// Beyond so many iterations a new factorization is cheaper than what the old one has left to do.
-constexpr int kMostIterations = 12;
+constexpr int kMostIterations = 300;
+
+/// The pairs of vertices that an edge or a row of constants has together, the smaller first, rising.
+std::vector<std::array<Index, 2>> coupledPairs(const RestSurface& surface, const std::vector<PointRow>& rows) {
+  std::vector<std::array<Index, 2>> pairs = surface.edges.ends;
+  for (const PointRow& row : rows) {
+    for (int i = 0; i < row.count; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const auto [low, high] = std::minmax(row.vertices[i], row.vertices[j]);
+        if (low != high) pairs.push_back({low, high});
+      }
+    }
+  }
+  if (pairs.size() == surface.edges.ends.size()) return pairs;
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
 
 }  // namespace
 
@@ -16,16 +32,26 @@ void VertexSystem::shape(const RestSurface& surface, const EnergyWeights& weight
   surface_ = &surface;
   weights_ = weights;
   rows_ = std::move(rows);
-  blocks_ = VertexBlocks(surface, rows_);
-  matrix_ = blocks_.zero();
-  constants_.assign(matrix_.nonZeros(), 0);
+  system_.shape(surface.vertexCount(), coupledPairs(surface, rows_));
+  pairOf_.clear();
+  for (const auto& [low, high] : surface.edges.ends) pairOf_.push_back(system_.findPair(low, high));
+  diagonal_.assign(surface.vertexCount(), Mat3::Zero());
+  couplings_.assign(system_.pairCount(), Mat3::Zero());
   for (Index f = 0; f < surface.faceCount(); ++f) {
     if (surface.sphericity[f] > 0) addSphericity(f);
   }
   addRows();
   rhs_.resize(surface.vertexCount(), 3);
-  residual_.resize(3 * surface.vertexCount());
-  correction_.resize(3 * surface.vertexCount());
+}
+
+void VertexSystem::add(Index v, Index w, const Mat3& block) {
+  if (v == w) {
+    diagonal_[v] += block + block.transpose();
+  } else if (v > w) {
+    couplings_[system_.findPair(w, v)] += block;
+  } else {
+    couplings_[system_.findPair(v, w)] += block.transpose();
+  }
 }
 
 void VertexSystem::addSphericity(Index face) {
@@ -34,12 +60,9 @@ void VertexSystem::addSphericity(Index face) {
     Mat3 factors[3];
     sphericityFactors(*surface_, face, i, factors);
     for (int a = 0; a < 3; ++a) {
-      for (int b = 0; b < a; ++b) {
-        blocks_.add(triangles(face, a), triangles(face, b),
-                    surface_->sphericity[face] * factors[a].transpose() * factors[b], constants_.data());
-      }
-      blocks_.addDiagonal(triangles(face, a), surface_->sphericity[face] * factors[a].transpose() * factors[a],
-                          constants_.data());
+      const Mat3 weighted = surface_->sphericity[face] * factors[a].transpose();
+      diagonal_[triangles(face, a)] += weighted * factors[a];
+      for (int b = 0; b < a; ++b) add(triangles(face, a), triangles(face, b), weighted * factors[b]);
     }
   }
 }
@@ -47,19 +70,30 @@ void VertexSystem::addSphericity(Index face) {
 void VertexSystem::addRows() {
   for (const PointRow& row : rows_) {
     for (int i = 0; i < row.count; ++i) {
-      const auto product = [&](int j) -> Mat3 {
-        return row.stiffness * row.coefficients[i] * row.coefficients[j] * Mat3::Identity();
-      };
-      blocks_.addDiagonal(row.vertices[i], product(i), constants_.data());
-      for (int j = 0; j < i; ++j) blocks_.add(row.vertices[i], row.vertices[j], product(j), constants_.data());
+      const double weight = row.stiffness * row.coefficients[i];
+      diagonal_[row.vertices[i]] += weight * row.coefficients[i] * Mat3::Identity();
+      for (int j = 0; j < i; ++j)
+        add(row.vertices[i], row.vertices[j], weight * row.coefficients[j] * Mat3::Identity());
     }
   }
 }
 
+void VertexSystem::restart() {
+  std::copy(diagonal_.begin(), diagonal_.end(), system_.diagonal().begin());
+  std::copy(couplings_.begin(), couplings_.end(), system_.couplings().begin());
+  rhs_.setZero();
+}
+
+void VertexSystem::addEdge(Index edge, const Mat3& K) {
+  const auto [low, high] = surface_->edges.ends[edge];
+  system_.diagonal()[low] += K;
+  system_.diagonal()[high] += K;
+  system_.couplings()[pairOf_[edge]] -= K;
+}
+
 void VertexSystem::assemble(const EdgeGoals& goals, const Transformations& transformations) {
   const RestSurface& surface = *surface_;
-  std::copy(constants_.begin(), constants_.end(), matrix_.valuePtr());
-  rhs_.setZero();
+  restart();
   for (Index e = 0; e < surface.edges.count(); ++e) {
     const Index first = surface.edges.halfEdges[surface.edges.start[e]];
     const double scale = weights_.scale / surface.averageLength;
@@ -78,7 +112,7 @@ void VertexSystem::assemble(const EdgeGoals& goals, const Transformations& trans
       K += transform * inverse.transpose() * inverse + normal * n * n.transpose();
       g += (isUpward(h) ? transform : -transform) * inverse.transpose() * goals.vectors.row(h).transpose();
     }
-    blocks_.addEdge(e, K, matrix_.valuePtr());
+    addEdge(e, K);
     rhs_.row(low) -= g.transpose();
     rhs_.row(high) += g.transpose();
   }
@@ -87,11 +121,10 @@ void VertexSystem::assemble(const EdgeGoals& goals, const Transformations& trans
 
 void VertexSystem::assemblePoisson() {
   const RestSurface& surface = *surface_;
-  std::copy(constants_.begin(), constants_.end(), matrix_.valuePtr());
-  rhs_.setZero();
+  restart();
   for (Index e = 0; e < surface.edges.count(); ++e) {
     const Mat3 K = surface.edges.faceCountAt(e) / surface.averageLength * Mat3::Identity();
-    blocks_.addEdge(e, K, matrix_.valuePtr());
+    addEdge(e, K);
     const auto [low, high] = surface.edges.ends[e];
     const Eigen::RowVector3d g = K(0, 0) * (surface.mesh.positions.row(high) - surface.mesh.positions.row(low));
     rhs_.row(low) -= g;
@@ -107,45 +140,15 @@ void VertexSystem::addTargets() {
   }
 }
 
-void VertexSystem::beginPrepare() {
-  cholesky_.beginAnalyze(matrix_, {.coordinates = &surface_->mesh.positions, .blockSize = 3});
-  stage_ = Stage::analyzing;
-}
-
-Status VertexSystem::prepareNext(double& share) {
-  constexpr double kAnalyzing = 0.3;  // share of the work
-  Status status;
-  if (stage_ == Stage::analyzing) {
-    share = kAnalyzing * cholesky_.analyzeNext();
-    if (share < kAnalyzing) return {};
-    cholesky_.beginFactorize(matrix_, true);
-    stage_ = Stage::factoring;
-  } else if (stage_ == Stage::factoring) {
-    status = cholesky_.factorizeNext(share);
-    if (share == 1)
-      stage_ = Stage::done;
-    else
-      share = kAnalyzing + (1 - kAnalyzing) * share;
-  } else {
-    share = 1;
-  }
-  return status;
+void VertexSystem::beginSolve(double tolerance, Points& positions) {
+  system_.beginImprove(rhs_, tolerance, kMostIterations, positions);
 }
 
 Status VertexSystem::solve(double tolerance, Points& positions) {
-  Eigen::Map<Vector> x(positions.data(), positions.size());
-  residual_ = Eigen::Map<const Vector>(rhs_.data(), rhs_.size());
-  residual_.noalias() -= matrix_.selfadjointView<Eigen::Lower>() * x;
-  ConjugateGradients::Report report;
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    correction_.setZero();
-    Status status = cholesky_.solveRefined(matrix_, residual_, correction_, {tolerance, kMostIterations}, &report);
-    if (!status.ok()) return status;
-    if (report.reached || attempt > 0) break;
-    if (status = cholesky_.factorize(matrix_, true); !status.ok()) return status;
-  }
-  x += correction_;
-  return {};
+  beginSolve(tolerance, positions);
+  Status status;
+  for (bool isDone = false; !isDone && status.ok();) status = solveNext(isDone);
+  return status;
 }
 
 }  // namespace whittle

@@ -2,15 +2,14 @@
 
 #include <vector>
 
-#include "linear/sparse_cholesky.h"
+#include "linear/vector_field_system.h"
 #include "methods/alternating/reshape_energy.h"
-#include "methods/alternating/vertex_blocks.h"
 
 namespace whittle {
 
 /// The vertex solve (§4.2, Eq. 20 to 23, 35): the positions that are best for given transformations, target lengths and
-/// stresses. One linear system in 3#V unknowns whose matrix changes from iteration to iteration and whose pattern does
-/// not: the Cholesky factor of the first is the preconditioner of all later ones, until they are too far from it.
+/// stresses. One linear system in #V points whose matrix changes from iteration to iteration and whose pattern does
+/// not: the factor of the first is the preconditioner of all later ones, until they are too far from it.
 class VertexSystem {
  public:
   /// @param surface to be kept by the caller
@@ -25,29 +24,32 @@ class VertexSystem {
   void assemblePoisson();
 
   /// Begins to analyze and factor what is assembled; `prepareNext` does it slice by slice (`linear/slices.h`).
-  void beginPrepare();
-  Status prepareNext(double& share);
-  /// Moves positions to the minimum. Fails with `numericalFailure` where numbers run away.
-  /// @param tolerance of the residual, against that at the start
+  void beginPrepare() { system_.beginPrepare(surface_->mesh.positions); }
+  Status prepareNext(double& share) { return system_.prepareNext(share); }
+  /// Begins to move positions, which the caller keeps, to the minimum, all but a share `tolerance` of what is left;
+  /// `solveNext` does it slice by slice. Fails with `numericalFailure`.
+  void beginSolve(double tolerance, Points& positions);
+  Status solveNext(bool& isDone) { return system_.improveNext(isDone); }
+  /// Does it in one go.
   Status solve(double tolerance, Points& positions);
 
  private:
-  using Vector = Eigen::VectorXd;
-
   void addSphericity(Index face);
   void addRows();
   void addTargets();
+  void restart();
+  /// Adds to the constants the block of rows of vertex v and columns of w, and its transpose for w and v.
+  void add(Index v, Index w, const Mat3& block);
+  /// Adds K (e·e) of an edge to the present values.
+  void addEdge(Index edge, const Mat3& K);
 
   const RestSurface* surface_ = nullptr;
   EnergyWeights weights_;
   std::vector<PointRow> rows_;
-  VertexBlocks blocks_;
-  std::vector<double> constants_;  // the part of the values that never changes
-  SparseMatrix matrix_;            // lower triangle
-  Points rhs_;                     // #V×3
-  Vector residual_, correction_;
-  SparseCholesky cholesky_;
-  enum class Stage { analyzing, factoring, done } stage_ = Stage::analyzing;
+  VectorFieldSystem system_;
+  std::vector<Index> pairOf_;               // #E, of each edge among the system's pairs
+  std::vector<Mat3> diagonal_, couplings_;  // the part of the values that never changes
+  Points rhs_;                              // #V×3
 };
 
 }  // namespace whittle

@@ -1,5 +1,8 @@
 #include "methods/alternating/working_surface.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "mesh/adjacency.h"
 #include "methods/alternating/marked_lines.h"
 #include "remeshing/clean.h"
@@ -32,6 +35,7 @@ void WorkingSurface::addStages(const TriangleMesh& rest, const ReshapeParameters
   rest_ = &rest;
   plan.add(Stale::all, "looking at the faces", 5, [this, &values] { begin(values); })
       .add(Stale::all, "cutting the faces anew", 30, [this](double& done) { remesh(done); })
+      .add(Stale::all, "ordering the faces", 5, [this](double& done) { arrange(done); })
       .add(Stale::all, "finding the way back", 5, [this](double& done) { findTransfer(done); })
       .add(Stale::all, "measuring the shape", 3, [this] { measure(); })
       .add(Stale::all, "finding edges and round parts", 10, [this](double& done) { findStructure(done); })
@@ -52,6 +56,7 @@ void WorkingSurface::begin(const ReshapeParameters& values) {
   contactSearch_.reset();
   scaffoldSearch_.reset();
   remesher_.reset();
+  ordering_.reset();
   transfer_.reset();
   surface_.reset();
 
@@ -76,6 +81,33 @@ void WorkingSurface::remesh(double& done) {
   DerivedMesh remeshed = remesher_->take();
   remesher_.reset();
   working_ = working_.then(std::move(remeshed));
+}
+
+/// Lays what the loops read together side by side: vertices in an elimination order, faces by their vertices.
+void WorkingSurface::arrange(double& done) {
+  if (isMade_) return;
+  if (isRemeshed_) {  // else the vertices come in such an order
+    if (!ordering_) ordering_ = std::make_unique<VertexOrdering>(working_.mesh);
+    done = ordering_->next();
+    if (done < 1) return;
+    const VertexOrder order = ordering_->take();
+    ordering_.reset();
+    working_.mesh = order.ordered(working_.mesh);
+    std::vector<Index> origin(working_.vertexOrigin.size());
+    for (Index place = 0; place < working_.mesh.vertexCount(); ++place)
+      origin[place] = working_.vertexOrigin[order.vertexAt(place)];
+    working_.vertexOrigin = std::move(origin);
+  }
+  std::vector<Index> faces(working_.mesh.faceCount());
+  std::iota(faces.begin(), faces.end(), 0);
+  const Triangles triangles = working_.mesh.triangles;
+  const std::vector<Index> origin = working_.faceOrigin;
+  const Eigen::VectorXi first = triangles.rowwise().minCoeff();
+  std::stable_sort(faces.begin(), faces.end(), [&](Index f, Index g) { return first[f] < first[g]; });
+  for (Index f = 0; f < working_.mesh.faceCount(); ++f) {
+    working_.mesh.triangles.row(f) = triangles.row(faces[f]);
+    working_.faceOrigin[f] = origin[faces[f]];
+  }
 }
 
 void WorkingSurface::findTransfer(double& done) {

@@ -8,6 +8,7 @@
 #include "methods/alternating/reshape_parameters.h"
 #include "methods/alternating/structure.h"
 #include "methods/stage.h"
+#include "methods/vertex_order.h"
 #include "remeshing/remesh_rule.h"
 #include "remeshing/remesher.h"
 #include "remeshing/scaffold.h"
@@ -37,6 +38,7 @@ class WorkingSurface {
  private:
   void begin(const ReshapeParameters& values);
   void remesh(double& done);
+  void arrange(double& done);
   void findTransfer(double& done);
   void measure();
   void findStructure(double& done);
@@ -57,6 +59,7 @@ class WorkingSurface {
 
   // While they go on
   std::unique_ptr<Remesher> remesher_;
+  std::unique_ptr<VertexOrdering> ordering_;
   std::unique_ptr<StructureSearch> search_;
   std::unique_ptr<ContactSearch> contactSearch_;
   std::unique_ptr<ScaffoldSearch> scaffoldSearch_;
