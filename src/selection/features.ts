@@ -48,6 +48,20 @@ function kindOf(topology: Topology, normals: Float32Array, edge: number, least: 
   return cosine < least ? crease : smooth;
 }
 
+/** The edges that are not smooth, #×2 welded vertices. */
+export function sharpEdges({
+  topology,
+  features,
+}: {
+  topology: Topology;
+  features: Uint8Array;
+}): Uint32Array {
+  const found: number[] = [];
+  for (let edge = 0; edge < features.length; edge++)
+    if (features[edge] !== smooth) found.push(topology.ends[2 * edge]!, topology.ends[2 * edge + 1]!);
+  return Uint32Array.from(found);
+}
+
 /** The smooth patches of a mesh: its faces, flooded up to feature edges. */
 export function* patchesOf(topology: Topology, features: Uint8Array): Work<Labels> {
   const faces = faceCount(topology);

@@ -59,6 +59,17 @@ function isNearer(
   return distance === least && features[edge] === border && features[nearest] !== border;
 }
 
+/** The edge of the face that is nearest to the pointer; `none` for a face that uses a vertex twice there. */
+export function nearestSide(surface: SelectableMesh, aim: Aim): number {
+  let nearest = 3 * aim.face;
+  let least = Infinity;
+  for (let side = 3 * aim.face; side < 3 * aim.face + 3; side++) {
+    const distance = distanceToSide(surface, aim, side);
+    if (distance < least) [nearest, least] = [side, distance];
+  }
+  return surface.topology.edgeOfSide[nearest]!;
+}
+
 /** The corner of the face that is nearest to the pointer. */
 export function nearestVertex({ topology }: SelectableMesh, { face, pointer, project }: Aim): number {
   let nearest = topology.triangles[3 * face]!;
