@@ -1,5 +1,5 @@
 import { type Affine, applied } from '../mesh/affine.ts';
-import { add, distance, doubledAreaVector, row, scale, unit, type Vec3 } from '../mesh/vectors.ts';
+import { add, distance, doubledAreaVector, length, row, scale, unit, type Vec3 } from '../mesh/vectors.ts';
 import type { Handles } from '../methods/values/handles.ts';
 import type { Group } from '../recipe/index.ts';
 
@@ -100,13 +100,19 @@ export function outlook(
 ): Vec3 {
   const isMember = new Set(patch);
   let sum: Vec3 = [0, 0, 0];
+  let area = 0;
   for (let corner = 0; corner < triangles.length; corner += 3) {
     const [a, b, c] = [triangles[corner]!, triangles[corner + 1]!, triangles[corner + 2]!];
-    if (isMember.has(a) && isMember.has(b) && isMember.has(c))
-      sum = add(sum, doubledAreaVector(row(shape, a), row(shape, b), row(shape, c)));
+    if (!isMember.has(a) || !isMember.has(b) || !isMember.has(c)) continue;
+    const vector = doubledAreaVector(row(shape, a), row(shape, b), row(shape, c));
+    sum = add(sum, vector);
+    area += length(vector);
   }
-  return unit(sum);
+  return length(sum) > agreement * area ? unit(sum) : [0, 0, 0];
 }
+
+/** Of the area of a patch, how much its faces have to agree on for it to look anywhere: those of a tube or a ball do not. */
+const agreement = 0.5;
 
 /**
  * What a thing stands on, or hangs from where its lower end was taken: something has to stay for the rest to be pulled against.

@@ -1,4 +1,5 @@
 import type { MethodDescriptor } from './descriptor.ts';
+import type { ChainsParameter } from './values/chains.ts';
 import type { ChoiceParameter } from './values/choice.ts';
 import type { ParameterDescriptor } from './values/index.ts';
 
@@ -7,6 +8,11 @@ import type { ParameterDescriptor } from './values/index.ts';
 /** Vertices held at places. */
 export const handlesParameter = (method: MethodDescriptor | undefined): string | undefined =>
   named(method, 'handles');
+
+/** Whether its handles are whole sides rather than spots. */
+export function gripsSides(method: MethodDescriptor | undefined): boolean {
+  return method?.parameters.some((one) => one.kind === 'handles' && one.grip === 'side') ?? false;
+}
 
 /** Vertices held on planes. */
 export const planesParameter = (method: MethodDescriptor | undefined): string | undefined =>
@@ -37,6 +43,11 @@ export function polyhedronParameter(method: MethodDescriptor | undefined): Choic
   return method?.parameters.find(
     (one): one is ChoiceParameter => one.kind === 'choice' && one.maxRows !== undefined,
   );
+}
+
+/** Lines along edges, by what they say of the shape. */
+export function chainsParameters(method: MethodDescriptor | undefined): readonly ChainsParameter[] {
+  return method?.parameters.filter((one): one is ChainsParameter => one.kind === 'chains') ?? [];
 }
 
 /** One of whose choices several can be looked at side by side. */

@@ -14,6 +14,8 @@ export interface Handles {
 /** Vertices held at given places: {@link Handles}. Absent means none. */
 export interface HandlesParameter extends Parameter {
   readonly kind: 'handles';
+  /** What a hand takes hold of best: a whole side, edge or rim of the shape. Default: a spot. */
+  readonly grip?: 'side';
 }
 
 export const handles: ValueKind<HandlesParameter, Handles> = {
