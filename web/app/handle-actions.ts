@@ -117,9 +117,13 @@ export class HandleActions {
   /**
    * Begins a gesture with positions that become a group of their own, where they are now.
    *
+   * @param base what is to stay if nothing is held yet; default what the mesh stands on
    * @returns what the gesture moves
    */
-  take(positions: readonly number[], label = movedName): Grip {
+  take(
+    positions: readonly number[],
+    { label = movedName, base: wanted }: { label?: string; base?: readonly number[] | undefined } = {},
+  ): Grip {
     const project = this.project!;
     const places = activeStep(project).result?.positions ?? restShapeOf(project, project.active)!;
     const partners = this.#partnersOf(positions);
@@ -129,7 +133,7 @@ export class HandleActions {
       made.push({ name: freeGroupName([...project.groups, ...made], label), vertices: partners });
     const all = made.flatMap(({ vertices }) => vertices);
     this.#active = name;
-    const base = this.#baseBelow(all);
+    const base = this.#base(all, wanted);
     const from = withHandles(this.handles, all, places);
     const grip = {
       group: positions,
@@ -142,10 +146,14 @@ export class HandleActions {
   }
 
   /** What is held where nothing is yet: with nothing to pull against, all of it would come along. */
-  #baseBelow(taken: readonly number[]): { vertices: readonly number[]; rest: Float64Array } | null {
+  #base(
+    taken: readonly number[],
+    wanted: readonly number[] | undefined,
+  ): { vertices: readonly number[]; rest: Float64Array } | null {
     const project = this.project!;
     const rest = restShapeOf(project, project.active);
     if (!rest || this.handles.vertices.length > 0) return null;
+    if (wanted && wanted.length > 0) return { vertices: wanted, rest };
     const { positionOfVertex } = weldOf(project.mesh);
     const up = formatInfo(project.source.format).up === 'z' ? 2 : 1;
     return { vertices: footing(rest, positionOfVertex, taken, up), rest };

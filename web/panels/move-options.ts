@@ -6,6 +6,7 @@ import type { GizmoMode } from '../../src/viewer/gizmo.ts';
 import type { Page } from '../app/actions.ts';
 import type { MoveMode } from '../tools/handle-layers.ts';
 import type { MoveHandles } from '../tools/move-handles.ts';
+import type { TakeWay } from '../tools/taking.ts';
 import { icon } from './icons.ts';
 
 const modes: readonly { id: MoveMode; title: string; does: string }[] = [
@@ -13,6 +14,18 @@ const modes: readonly { id: MoveMode; title: string; does: string }[] = [
   { id: 'hold', title: 'Hold', does: 'Paint what has to stay as it was in the file.' },
   { id: 'let-go', title: 'Let go', does: 'Paint what is to be free again.' },
 ];
+
+const takes: readonly { id: TakeWay; title: string; does: string }[] = [
+  { id: 'side', title: 'Side', does: 'A whole side, edge or rim of the shape' },
+  { id: 'spot', title: 'Brush', does: 'What is under a round brush' },
+];
+
+/** What pressing does where whole sides are taken. */
+const sideDoes: Readonly<Record<MoveMode, string>> = {
+  pull: 'Press on a side and drag it in or out. A click takes hold of it; Shift holds it still.',
+  hold: 'Click the sides that have to stay as they were in the file.',
+  'let-go': 'Click what is to be free again.',
+};
 
 const ways: readonly { id: GizmoMode; title: string; key: string }[] = [
   { id: 'translate', title: 'Move', key: 'G' },
@@ -24,24 +37,43 @@ const ways: readonly { id: GizmoMode; title: string; key: string }[] = [
 export function moveOptions(page: Page, tool: MoveHandles) {
   const { handles } = page;
   if (handles.parameter === undefined) return unable();
-  const { mode, size, mirror } = tool.options;
+  const { mode, mirror } = tool.options;
   const { does } = modes.find(({ id }) => id === mode)!;
+  const isSide = tool.take === 'side';
   return html`
-    <h2>${tool.typed ? tool.typed.transform.sentence : 'Hold and pull'}</h2>
-    <p>${tool.typed ? 'X, Y, Z for an axis, digits for how far, Enter to keep.' : does}</p>
+    <h2>${tool.typed ? tool.typed.sentence : 'Hold and pull'}</h2>
+    <p>${tool.typed ? 'X, Y, Z for an axis, digits for how far, Enter to keep.' : isSide ? sideDoes[mode] : does}</p>
     <div class="row" role="group" aria-label="What pressing does">
       ${modes.map(
         ({ id, title, does: hint }) =>
           html`<button type="button" class="button small" data-mode=${id} aria-pressed=${mode === id} title=${hint} @click=${() => tool.set({ mode: id })}>${title}</button>`,
       )}
     </div>
-    <label class="field"><span>Size</span>
-      <input type="range" class="plain" min="0.01" max="0.3" step="0.005" .value=${String(size)} aria-valuetext="${Math.round(100 * size)} percent of the mesh" @input=${(event: Event) => tool.set({ size: (event.target as HTMLInputElement).valueAsNumber })} /></label>
+    <div class="row" role="group" aria-label="What is taken">
+      ${takes.map(
+        ({ id, title, does: hint }) =>
+          html`<button type="button" class="button small" data-take=${id} aria-pressed=${tool.take === id} title=${hint} @click=${() => tool.set({ take: id })}>${title}</button>`,
+      )}
+    </div>
+    ${isSide ? straight(tool) : size(tool)}
     <label class="field" title="What is done on the left is done on the right"><span>Mirror</span>
       <input type="checkbox" .checked=${mirror} @change=${(event: Event) => tool.set({ mirror: (event.target as HTMLInputElement).checked })} /></label>
     ${handles.active ? activeGroup(page, tool, handles.active) : nothing}
     ${handles.groups.length > 0 ? list(page) : nothing}
   `;
+}
+
+function size(tool: MoveHandles) {
+  const { size } = tool.options;
+  return html`
+    <label class="field"><span>Size</span>
+      <input type="range" class="plain" min="0.01" max="0.3" step="0.005" .value=${String(size)} aria-valuetext="${Math.round(100 * size)} percent of the mesh" @input=${(event: Event) => tool.set({ size: (event.target as HTMLInputElement).valueAsNumber })} /></label>`;
+}
+
+function straight(tool: MoveHandles) {
+  return html`
+    <label class="field" title="A side that is pulled goes in and out and not sideways"><span>Straight out</span>
+      <input type="checkbox" data-act="straight-out" .checked=${tool.options.straight} @change=${(event: Event) => tool.set({ straight: (event.target as HTMLInputElement).checked })} /></label>`;
 }
 
 function unable() {

@@ -1,8 +1,10 @@
 import { centerIn, type HandleGroup, targetCenter } from '../../src/editor/handle-groups.ts';
 import { type Project, restShapeOf } from '../../src/editor/project.ts';
 import type { Handles } from '../../src/methods/values/handles.ts';
+import type { Candidate } from '../../src/selection/index.ts';
 import type { Layer } from '../../src/viewer/layers/layer.ts';
 import type { Layers } from '../../src/viewer/layers/layers.ts';
+import { CandidateLayers } from './candidate-layers.ts';
 
 const red = '#d8342a';
 const orange = '#f0891c';
@@ -16,11 +18,13 @@ const hoverColors: Readonly<Record<MoveMode, string>> = { pull: orange, hold: re
 /** What is held in red, what is moved in orange with arrows from where it was, and what a press would take. */
 export class HandleLayers {
   readonly #layers: Layers;
+  readonly #pointed: CandidateLayers;
   /** What the layers were made of: the handles change with every frame of a drag, the groups do not. */
   #shown: readonly unknown[] = [];
 
   constructor(layers: Layers) {
     this.#layers = layers;
+    this.#pointed = new CandidateLayers(layers);
   }
 
   show(
@@ -41,13 +45,22 @@ export class HandleLayers {
     this.#layers.set('handles-arrows', project && arrows(groups, handles, project));
   }
 
-  /** @param positions what a press would take */
-  hover(positions: readonly number[], mode: MoveMode): void {
-    this.#layers.set('handles-hover', dots(positions, hoverColors[mode], 4));
+  /** @param under what a press would take: a side, edge or rim, or else dots; null for nothing */
+  hover(
+    project: Project | null,
+    mode: MoveMode,
+    under: { readonly positions: readonly number[]; readonly candidate?: Candidate | null } | null,
+  ): void {
+    const color = hoverColors[mode];
+    const { positions = [], candidate = null } = under ?? {};
+    if (project) this.#pointed.show(project.mesh, candidate, color);
+    else this.#pointed.clear();
+    this.#layers.set('handles-hover', candidate ? null : dots(positions, color, 4));
   }
 
   clear(): void {
     this.#shown = [];
+    this.#pointed.clear();
     for (const name of ['handles-held', 'handles-moved', 'handles-arrows', 'handles-hover'])
       this.#layers.set(name, null);
   }

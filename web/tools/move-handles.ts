@@ -1,25 +1,29 @@
 import { outlook, targetCenter } from '../../src/editor/handle-groups.ts';
 import { shownPositions } from '../../src/editor/project.ts';
 import { type Affine, translation } from '../../src/mesh/affine.ts';
-import { diagonalOf } from '../../src/mesh/extent.ts';
-import { subtract, type Vec3 } from '../../src/mesh/vectors.ts';
-import { solvedSourceTriangles, weldOf } from '../../src/mesh/weld.ts';
-import { discAround } from '../../src/selection/index.ts';
+import { length, subtract, type Vec3 } from '../../src/mesh/vectors.ts';
+import { solvedSourceTriangles } from '../../src/mesh/weld.ts';
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import { Gizmo, type GizmoMode } from '../../src/viewer/gizmo.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
-import type { Hit } from '../../src/viewer/picking/picking.ts';
 import type { Grip, HandleActions } from '../app/handle-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
 import type { Selectable } from '../app/selectable.ts';
 import { HandleLayers, type MoveMode } from './handle-layers.ts';
+import { isStill } from './select-gestures.ts';
+import { type TakeWay, Taking, type Under } from './taking.ts';
 import type { Tool } from './tool.ts';
+import { TypedMove } from './typed-move.ts';
 import { TypedTransform } from './typed-transform.ts';
 import { ViewPlane } from './view-plane.ts';
 
 /** How the tool is set. */
 export interface MoveOptions {
   readonly mode: MoveMode;
+  /** What a press takes; null for what suits the method. */
+  readonly take: TakeWay | null;
+  /** A side goes in and out alone, and not sideways. */
+  readonly straight: boolean;
   /** Radius of what is taken, as a share of the mesh's diagonal. */
   readonly size: number;
   /** What is done on one side is done on the other. */
@@ -31,8 +35,18 @@ export interface MoveOptions {
 
 type Gesture =
   | { readonly kind: 'gizmo'; readonly grip: Grip; by: Affine }
-  | { readonly kind: 'pull'; readonly grip: Grip; readonly plane: ViewPlane; by: Affine }
-  | { readonly kind: 'stroke'; readonly taken: Set<number> }
+  | {
+      readonly kind: 'pull';
+      readonly grip: Grip;
+      readonly plane: ViewPlane;
+      readonly from: CanvasPointer;
+      /** It is no click any more. */
+      hasMoved: boolean;
+      /** Where alone it goes; null for anywhere. */
+      readonly along: Vec3 | null;
+      by: Affine;
+    }
+  | { readonly kind: 'stroke'; readonly mode: MoveMode; readonly taken: Set<number> }
   /** It ends what keys began. */
   | { readonly kind: 'click' };
 
@@ -47,13 +61,22 @@ export interface MoveParts {
 
 /** Holds parts of the mesh still and pulls others, by hand, by gizmo or by keys. */
 export class MoveHandles implements Tool {
-  options: MoveOptions = { mode: 'pull', size: 0.07, mirror: false, gizmo: 'translate', ownAxes: false };
-  /** Under way by keys: G, R or S. */
-  typed: { readonly transform: TypedTransform; readonly grip: Grip; readonly plane: ViewPlane } | null = null;
+  options: MoveOptions = {
+    mode: 'pull',
+    take: null,
+    straight: true,
+    size: 0.07,
+    mirror: false,
+    gizmo: 'translate',
+    ownAxes: false,
+  };
+  /** Under way by keys. */
+  typed: TypedMove | null = null;
   readonly cursor = 'crosshair';
   readonly #parts: MoveParts;
   readonly #gizmo: Gizmo;
   readonly #layers: HandleLayers;
+  readonly #taking: Taking;
   #gesture: Gesture | null = null;
   #pointer: CanvasPointer | null = null;
   #isScheduled = false;
@@ -63,6 +86,7 @@ export class MoveHandles implements Tool {
     this.#parts = parts;
     this.#gizmo = new Gizmo(parts.interaction.viewer);
     this.#layers = new HandleLayers(parts.interaction.layers);
+    this.#taking = new Taking(parts);
   }
 
   enter(): void {
@@ -78,9 +102,16 @@ export class MoveHandles implements Tool {
     this.#gizmo.hide();
   }
 
+  /** What a press takes. */
+  get take(): TakeWay {
+    return this.#taking.way;
+  }
+
   set(change: Partial<MoveOptions>): void {
     this.options = { ...this.options, ...change };
     this.#gizmo.mode = this.options.gizmo;
+    this.#taking.size = this.options.size;
+    this.#taking.wanted = this.options.take;
     this.#parts.handles.isMirrored = this.options.mirror;
     this.#parts.store.set({});
   }
@@ -92,10 +123,10 @@ export class MoveHandles implements Tool {
       return;
     }
     const isGizmos = pointer !== null && this.#gizmo.hover(pointer);
-    const hit = pointer && !isGizmos ? this.#parts.interaction.picking.pick(pointer) : null;
-    const { mode } = this.options;
-    const group = hit && mode === 'pull' ? this.#groupUnder(hit) : undefined;
-    this.#layers.hover(hit ? (group?.vertices ?? this.#discUnder(hit)) : [], mode);
+    const under = pointer && !isGizmos ? this.#taking.at(pointer) : null;
+    const mode = pointer ? this.#modeOf(pointer) : 'pull';
+    const group = under && mode !== 'hold' ? this.#taking.groupAt(under) : undefined;
+    this.#layers.hover(this.#parts.store.state.project, mode, group ? { positions: group.vertices } : under);
     this.#parts.interaction.viewer.invalidate();
   }
 
@@ -106,25 +137,26 @@ export class MoveHandles implements Tool {
       this.#gesture = { kind: 'click' };
       return true;
     }
-    const { handles, interaction } = this.#parts;
+    const { handles } = this.#parts;
     if (handles.parameter === undefined) return false;
     const { active } = handles;
     if (active && this.#gizmo.press(pointer)) {
       this.#gesture = { kind: 'gizmo', grip: handles.grip(active), by: translation([0, 0, 0]) };
       return true;
     }
-    const hit = interaction.picking.pick(pointer);
-    if (!hit) return false;
-    this.#gesture = this.options.mode === 'pull' ? this.#beginPull(hit, pointer) : this.#beginStroke(hit);
-    return this.#gesture !== null;
+    const under = this.#taking.at(pointer);
+    if (!under) return false;
+    const mode = this.#modeOf(pointer);
+    this.#gesture = mode === 'pull' ? this.#beginPull(under, pointer) : this.#beginStroke(under, mode);
+    return true;
   }
 
   move(pointer: CanvasPointer): void {
     this.#pointer = pointer;
     const gesture = this.#gesture;
     if (gesture?.kind === 'stroke') {
-      const hit = this.#parts.interaction.picking.pick(pointer);
-      if (hit) this.#addToStroke(gesture.taken, hit);
+      const under = this.#taking.at(pointer);
+      if (under) this.#addToStroke(gesture, under);
     } else if (gesture) this.#soon(() => this.#follow());
   }
 
@@ -136,10 +168,11 @@ export class MoveHandles implements Tool {
     const { handles } = this.#parts;
     if (gesture?.kind === 'gizmo') this.#gizmo.release();
     if (gesture?.kind === 'gizmo') handles.keep(gesture.grip, gesture.by, gizmoLabels[this.options.gizmo]);
-    if (gesture?.kind === 'pull') handles.keep(gesture.grip, gesture.by, 'Pull');
-    if (gesture?.kind === 'stroke' && this.options.mode === 'hold') handles.hold([...gesture.taken]);
-    if (gesture?.kind === 'stroke' && this.options.mode === 'let-go') handles.letGo([...gesture.taken]);
-    this.#layers.hover([], this.options.mode);
+    if (gesture?.kind === 'pull')
+      handles.keep(gesture.grip, gesture.by, gesture.hasMoved ? 'Pull' : 'Take hold');
+    if (gesture?.kind === 'stroke' && gesture.mode === 'hold') handles.hold([...gesture.taken]);
+    if (gesture?.kind === 'stroke' && gesture.mode === 'let-go') handles.letGo([...gesture.taken]);
+    this.#layers.hover(null, this.options.mode, null);
     this.#show();
   }
 
@@ -148,7 +181,7 @@ export class MoveHandles implements Tool {
     this.#gesture = null;
     if (gesture?.kind === 'gizmo') this.#gizmo.release();
     if (gesture?.kind === 'gizmo' || gesture?.kind === 'pull') this.#parts.handles.cancel();
-    this.#layers.hover([], this.options.mode);
+    this.#layers.hover(null, this.options.mode, null);
     this.#show();
   }
 
@@ -171,23 +204,40 @@ export class MoveHandles implements Tool {
     if (active) handles.keep(handles.grip(active), translation(by), 'Move');
   }
 
-  #beginPull(hit: Hit, pointer: CanvasPointer): Gesture {
+  /** With Shift down what would be pulled is held still instead. */
+  #modeOf({ shift }: CanvasPointer): MoveMode {
+    const { mode } = this.options;
+    return mode === 'pull' && shift && this.take === 'side' ? 'hold' : mode;
+  }
+
+  #beginPull(under: Under, pointer: CanvasPointer): Gesture {
     const { handles, interaction } = this.#parts;
-    const group = this.#groupUnder(hit);
-    const grip = group ? handles.grip(group) : handles.take(this.#discUnder(hit));
-    const plane = new ViewPlane(interaction.picking, pointer, hit.point);
-    return { kind: 'pull', grip, plane, by: translation([0, 0, 0]) };
+    const group = this.#taking.groupAt(under);
+    const along = this.#outwards(group?.vertices ?? under.positions);
+    // What is held already is enough to pull against.
+    const base = handles.handles.vertices.length > 0 ? undefined : this.#taking.opposite(under);
+    const grip = group ? handles.grip(group) : handles.take(under.positions, { base });
+    const plane = new ViewPlane(interaction.picking, pointer, under.hit.point);
+    return { kind: 'pull', grip, plane, from: pointer, hasMoved: false, along, by: translation([0, 0, 0]) };
   }
 
-  #beginStroke(hit: Hit): Gesture {
-    const taken = new Set<number>();
-    this.#addToStroke(taken, hit);
-    return { kind: 'stroke', taken };
+  /** Where a side that goes in and out alone looks; null for what goes anywhere. */
+  #outwards(positions: readonly number[]): Vec3 | null {
+    if (this.take !== 'side' || !this.options.straight) return null;
+    const way = this.#outlook(positions);
+    return way && length(way) > 0 ? way : null;
   }
 
-  #addToStroke(taken: Set<number>, hit: Hit): void {
-    for (const position of this.#discUnder(hit)) taken.add(position);
-    this.#layers.hover([...taken], this.options.mode);
+  #beginStroke(under: Under, mode: MoveMode): Gesture {
+    const gesture = { kind: 'stroke', mode, taken: new Set<number>() } as const;
+    this.#addToStroke(gesture, under);
+    return gesture;
+  }
+
+  #addToStroke({ mode, taken }: { mode: MoveMode; taken: Set<number> }, under: Under): void {
+    const group = mode === 'let-go' && this.take === 'side' ? this.#taking.groupAt(under) : undefined;
+    for (const position of group?.vertices ?? under.positions) taken.add(position);
+    this.#layers.hover(this.#parts.store.state.project, mode, { positions: [...taken] });
     this.#parts.interaction.viewer.invalidate();
   }
 
@@ -214,49 +264,39 @@ export class MoveHandles implements Tool {
     if (!this.#pointer || !gesture) return;
     if (gesture.kind === 'gizmo') gesture.by = this.#gizmo.move(this.#pointer) ?? gesture.by;
     if (gesture.kind === 'pull') {
+      gesture.hasMoved ||= !isStill(gesture.from, this.#pointer);
+      if (!gesture.hasMoved) return;
       const { from, to } = gesture.plane.way(this.#pointer);
-      gesture.by = translation(subtract(to, from));
+      const { along, plane } = gesture;
+      gesture.by = translation(along ? plane.along(this.#pointer, along) : subtract(to, from));
     }
   }
 
   #beginTyped(kind: TypedTransform['kind']): void {
-    const { handles, interaction } = this.#parts;
+    const { handles, interaction, store } = this.#parts;
     const { active } = handles;
     if (!active) return;
-    const pivot = targetCenter(handles.handles, active.vertices);
-    const pointer = this.#pointer ?? interaction.picking.project(pivot);
-    this.typed = {
-      transform: new TypedTransform(kind, pivot),
-      grip: handles.grip(active),
-      plane: new ViewPlane(interaction.picking, pointer, pivot),
-    };
-    this.#parts.store.set({});
+    const { picking } = interaction;
+    this.typed = new TypedMove(kind, active, { handles, picking, pointer: this.#pointer });
+    store.set({});
   }
 
   #typedKey(event: KeyboardEvent): boolean {
     if (event.key === 'Escape') this.#dropTyped();
     else if (event.key === 'Enter') this.#keepTyped();
-    else if (this.typed!.transform.key(event.key)) this.#followTyped();
+    else if (this.typed!.key(event.key)) this.#followTyped();
     else return false;
     return true;
   }
 
   #followTyped(): void {
-    this.#soon(() => {
-      if (this.typed) this.#parts.handles.move(this.typed.grip, this.#typedMovement());
-    });
-  }
-
-  #typedMovement(): Affine {
-    const { transform, plane } = this.typed!;
-    return transform.movement(this.#pointer ? plane.way(this.#pointer) : null);
+    this.#soon(() => this.typed?.follow(this.#pointer));
   }
 
   #keepTyped(): void {
-    const { grip, transform } = this.typed!;
-    const by = this.#typedMovement();
+    const typed = this.typed!;
     this.typed = null;
-    this.#parts.handles.keep(grip, by, transform.sentence.split(' ')[0]!);
+    typed.keep(this.#pointer);
   }
 
   #dropTyped(): void {
@@ -266,25 +306,15 @@ export class MoveHandles implements Tool {
     this.#show();
   }
 
-  #groupUnder({ corners, weights }: Hit) {
-    return this.#parts.handles.groupAt(corners[weights.indexOf(Math.max(...weights))]!);
-  }
-
-  /** Positions of the file under the brush; one alone until the mesh has been looked at. */
-  #discUnder(hit: Hit): number[] {
+  /** Where some positions look as they are seen; null without a mesh. */
+  #outlook(positions: readonly number[]): Vec3 | null {
     const { project } = this.#parts.store.state;
-    const surface = project && this.#parts.surface.of(project);
-    if (!project || !surface) return [hit.corners[hit.weights.indexOf(Math.max(...hit.weights))]!];
-    const vertices = discAround(surface, hit, this.options.size * diagonalOf(project.mesh));
-    const { positionOfVertex } = weldOf(project.mesh);
-    return Array.from(vertices, (vertex) => positionOfVertex[vertex]!);
+    return project && outlook(shownPositions(project), solvedSourceTriangles(project.mesh), positions);
   }
 
   #axesOf(vertices: readonly number[]): readonly [number, number, number, number] | undefined {
-    const { project } = this.#parts.store.state;
-    if (!this.options.ownAxes || !project) return undefined;
-    const normal = outlook(shownPositions(project), solvedSourceTriangles(project.mesh), vertices);
-    return turnFromZ(normal);
+    const normal = this.options.ownAxes ? this.#outlook(vertices) : null;
+    return normal ? turnFromZ(normal) : undefined;
   }
 
   #show(): void {

@@ -13,12 +13,10 @@ import {
 import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { Selecting } from '../app/selecting.ts';
+import { aimAt, reachOf } from './aim.ts';
 import { ScreenMap } from './screen-map.ts';
 import type { Seen } from './seen.ts';
 import type { SelectInk } from './select-ink.ts';
-
-/** Pixels within which a line of the shape is meant: fingers are less exact. */
-const reach = { mouse: 7, pen: 9, touch: 18 } as const;
 
 type Place = Pick<CanvasPointer, 'x' | 'y'>;
 
@@ -57,7 +55,7 @@ export class SelectView {
 
   /** What a click would take; null beside the mesh. */
   candidate(pointer: CanvasPointer, wholePart = false): Candidate | null {
-    const aim = this.#aim(pointer, reach[pointer.kind]);
+    const aim = this.#aim(pointer, reachOf[pointer.kind]);
     if (!aim) return null;
     return candidateAt(this.#surface, aim, { oneVertex: pointer.alt, wholePart, spot: this.#radius(aim) });
   }
@@ -92,16 +90,9 @@ export class SelectView {
     this.#parts.ink.outline(outline);
   }
 
-  #aim({ x, y }: Place, within: number): Aim | null {
-    const hit = this.#parts.interaction.picking.pick({ x, y });
-    if (!hit) return null;
-    return {
-      face: hit.face,
-      weights: [...hit.weights],
-      pointer: [x, y],
-      project: this.#map.place,
-      reach: within,
-    };
+  #aim(place: Place, within: number): Aim | null {
+    const hit = this.#parts.interaction.picking.pick(place);
+    return hit && aimAt(hit, place, this.#map, within);
   }
 
   #radius({ face }: Aim): number {

@@ -25,6 +25,15 @@ export class ViewPlane {
     return { from: this.#from, to: this.#under(pointer), toEye: this.#toEye };
   }
 
+  /** How far the pointer has gone along a direction (unit), as it is seen; where one looks along it, wherever the pointer has gone. */
+  along(pointer: Place, direction: Vec3): Vec3 {
+    const { from, to, toEye } = this.way(pointer);
+    const way = subtract(to, from);
+    const seen = subtract(direction, scale(toEye, dot(direction, toEye)));
+    const share = dot(seen, seen);
+    return share < leastSeen ? way : scale(direction, dot(way, seen) / share);
+  }
+
   #under(pointer: Place): Vec3 {
     const { origin, direction } = this.#picking.ray(pointer);
     const approach = dot(direction, this.#toEye);
@@ -32,3 +41,6 @@ export class ViewPlane {
     return add(origin, scale(direction, way));
   }
 }
+
+/** Squared sine of the angle between the eye and a direction from which on the way along it can be told: 10°. */
+const leastSeen = 0.03;
