@@ -11,6 +11,7 @@ import { followMethod } from './app/follow-method.ts';
 import { HandleActions } from './app/handle-actions.ts';
 import { ImageActions } from './app/image-actions.ts';
 import { followLayout } from './app/layout.ts';
+import { LineActions } from './app/line-actions.ts';
 import { followOverlay } from './app/overlay-paint.ts';
 import { newPageStore } from './app/page-state.ts';
 import { PlaneActions } from './app/plane-actions.ts';
@@ -51,7 +52,8 @@ const handles = new HandleActions(store, editor);
 const cube = new CubeActions(store, editor);
 const strength = new StrengthActions(store, editor);
 const planes = new PlaneActions(store, editor);
-const parts = { store, handles, planes, cube, strength, surface, selecting, soon };
+const lines = new LineActions(store, editor);
+const parts = { store, handles, planes, cube, strength, lines, surface, selecting, soon };
 const tools = new ToolBelt(store, interaction, interaction && makeTools({ ...parts, interaction }));
 const comparing = new Comparing({ store, editor, engine, interaction, drawn: nextFrame });
 const saving = new SavingActions({ store, editor, engine, styles, images });
@@ -66,6 +68,7 @@ const page = new Page({
   planes,
   selecting,
   strength,
+  lines,
   tools,
   comparing,
   saving,

@@ -15,6 +15,7 @@ import { exportName, ownFormat } from './export.ts';
 import { type FoundFile, found, readBeside, unpackArchives } from './found-files.ts';
 import type { HandleActions } from './handle-actions.ts';
 import type { ImageActions } from './image-actions.ts';
+import type { LineActions } from './line-actions.ts';
 import { obstacle } from './offered-methods.ts';
 import type { Look, PageStore } from './page-state.ts';
 import type { PlaneActions } from './plane-actions.ts';
@@ -39,6 +40,7 @@ export interface PageParts {
   readonly planes: PlaneActions;
   readonly selecting: Selecting;
   readonly strength: StrengthActions;
+  readonly lines: LineActions;
   readonly tools: ToolBelt;
   readonly comparing: Comparing;
   readonly saving: SavingActions;
@@ -59,6 +61,7 @@ export class Page {
   readonly planes: PlaneActions;
   readonly selecting: Selecting;
   readonly strength: StrengthActions;
+  readonly lines: LineActions;
   readonly tools: ToolBelt;
   readonly comparing: Comparing;
   readonly saving: SavingActions;
@@ -68,7 +71,7 @@ export class Page {
 
   constructor(parts: PageParts) {
     const { store, editor, styles, images, painter, handles, cube, planes, strength, selecting } = parts;
-    const { tools, comparing, saving, presenter, viewer } = parts;
+    const { lines, tools, comparing, saving, presenter, viewer } = parts;
     this.store = store;
     this.editor = editor;
     this.styles = styles;
@@ -79,6 +82,7 @@ export class Page {
     this.planes = planes;
     this.selecting = selecting;
     this.strength = strength;
+    this.lines = lines;
     this.tools = tools;
     this.comparing = comparing;
     this.saving = saving;

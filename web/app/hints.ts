@@ -5,6 +5,7 @@ const texts: Readonly<Record<ToolId, string>> = {
   turn: 'Pull the slider and watch. Drag the mesh to turn it.',
   select: 'Point at the mesh: what lights up is what a click takes. Shift adds to it.',
   move: 'Press on the mesh and pull: a part comes along, the rest follows.',
+  lines: 'Point at an edge: what lights up is what a click marks. Another click takes the mark away.',
   paint: 'Paint on the mesh where the style is to be weaker. “More” brings it back.',
   cube: 'Drag the rings to turn the cube, and its sides to make it longer or shorter.',
 };

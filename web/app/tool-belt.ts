@@ -1,3 +1,7 @@
+import { activeStep } from '../../src/editor/project.ts';
+import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
+import { findMethod } from '../../src/methods/registry.ts';
+import { chainsParameters } from '../../src/methods/set-by-hand.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { Tools } from '../tools/all.ts';
 import type { Tool, ToolId } from '../tools/tool.ts';
@@ -11,6 +15,8 @@ export interface ToolFace {
   readonly key: string;
   /** One sentence for the help and the tooltip. */
   readonly does: string;
+  /** Whether it can do anything for a method. Default: always, or it says why not. */
+  readonly suits?: (method: MethodDescriptor | undefined) => boolean;
 }
 
 /** All tools, in the order of the strip. */
@@ -18,6 +24,13 @@ export const toolFaces: readonly ToolFace[] = [
   { id: 'turn', title: 'Turn', key: 'v', does: 'Turn and move the view.' },
   { id: 'select', title: 'Select', key: 'q', does: 'Choose a part of the mesh, to hold, move or name it.' },
   { id: 'move', title: 'Move', key: 'w', does: 'Hold parts still and pull others; the rest follows.' },
+  {
+    id: 'lines',
+    title: 'Lines',
+    key: 'l',
+    does: 'Mark edges that are sharp, or smooth, or stay straight.',
+    suits: (method) => chainsParameters(method).length > 0,
+  },
   { id: 'paint', title: 'Paint', key: 'd', does: 'Paint where the style is strong and where it is not.' },
   { id: 'cube', title: 'Cube', key: 'c', does: 'Turn and stretch the cube that the mesh is drawn to.' },
 ];
@@ -46,7 +59,12 @@ export class ToolBelt {
 
   /** The tools that can be taken here. */
   get faces(): readonly ToolFace[] {
-    return toolFaces.filter(({ id }) => id === 'turn' || this.#tool(id) !== null);
+    const { project, tool } = this.#store.state;
+    const method = project ? findMethod(activeStep(project).method) : undefined;
+    return toolFaces.filter(
+      ({ id, suits }) =>
+        id === 'turn' || (this.#tool(id) !== null && (id === tool || !suits || suits(method))),
+    );
   }
 
   get current(): Tool | null {

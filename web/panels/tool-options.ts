@@ -3,6 +3,7 @@ import type { Page } from '../app/actions.ts';
 import type { Tools } from '../tools/all.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { cubeOptions } from './cube-options.ts';
+import { lineOptions } from './line-options.ts';
 import { moveOptions } from './move-options.ts';
 import { PageElement } from './page-element.ts';
 import { paintOptions } from './paint-options.ts';
@@ -12,6 +13,7 @@ import { selectOptions } from './select-options.ts';
 const options: Partial<Record<ToolId, (page: Page, tools: Tools) => TemplateResult>> = {
   select: selectOptions,
   move: (page, { move }) => moveOptions(page, move),
+  lines: (page, { lines }) => lineOptions(page, lines),
   cube: cubeOptions,
   paint: (page, { paint }) => paintOptions(page, paint),
 };

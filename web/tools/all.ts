@@ -1,11 +1,13 @@
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { CubeActions } from '../app/cube-actions.ts';
 import type { HandleActions } from '../app/handle-actions.ts';
+import type { LineActions } from '../app/line-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
 import type { PlaneActions } from '../app/plane-actions.ts';
 import type { Selectable } from '../app/selectable.ts';
 import type { Selecting } from '../app/selecting.ts';
 import type { StrengthActions } from '../app/strength-actions.ts';
+import { MarkLines } from './mark-lines.ts';
 import { MoveHandles } from './move-handles.ts';
 import { PaintStrength } from './paint-strength.ts';
 import { SelectTool } from './select.ts';
@@ -19,6 +21,7 @@ export interface ToolParts {
   readonly cube: CubeActions;
   readonly strength: StrengthActions;
   readonly planes: PlaneActions;
+  readonly lines: LineActions;
   readonly surface: Selectable;
   readonly selecting: Selecting;
   /** Runs something before the next picture. */
@@ -30,6 +33,7 @@ export function makeTools(parts: ToolParts) {
   return {
     select: new SelectTool(parts),
     move: new MoveHandles(parts),
+    lines: new MarkLines(parts),
     paint: new PaintStrength(parts),
     cube: new TurnCube(parts),
   };

@@ -1,7 +1,7 @@
 import type { CanvasTool } from '../../src/viewer/canvas-tool.ts';
 
 /** What one can do on the canvas; `turn` leaves it to the camera. */
-export type ToolId = 'turn' | 'select' | 'move' | 'paint' | 'cube';
+export type ToolId = 'turn' | 'select' | 'move' | 'lines' | 'paint' | 'cube';
 
 /** Something to work on the mesh with. It draws its layers while it is in the hand and takes them away when it leaves it. */
 export interface Tool extends CanvasTool {
