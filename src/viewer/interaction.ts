@@ -46,8 +46,10 @@ export class Interaction {
 
   /** Keeps tools to a part of the canvas; outside, gestures are the camera's. Null for all of it. */
   keepWithin(box: Box | null): void {
-    this.#keyboard.hide();
+    const before = this.#router.within;
     this.#keyboard.within = this.#router.within = box;
+    // Where the cross is now may be outside.
+    if ((before === null) !== (box === null)) this.#keyboard.hide();
   }
 
   /** Takes back the gesture that is under way. @returns whether there was one */
