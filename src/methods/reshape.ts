@@ -17,6 +17,7 @@ export const reshape: MethodDescriptor = {
       doc: 'What is kept while handles move: structure (§4), the same scale all around (3D ALUP, §3), edges as they are (Poisson), sizes (as rigid as possible) or angles (as conformal as possible).',
       hint: 'What of the shape stays while you pull: its structure is what made things want.',
       invalidates: 'all',
+      toCompare: true,
       default: 'slippage',
       choices: ['slippage', 'alup', 'poisson', 'arap', 'conformal'],
       labels: {
@@ -41,6 +42,7 @@ export const reshape: MethodDescriptor = {
     },
     {
       ...handles,
+      grip: 'side',
       doc: 'Vertices held at given places, in the file’s units; whole ends, faces or rims make better handles than single vertices. A part that nothing ties to a handle stays where it is.',
     },
     {

@@ -6,7 +6,7 @@ import type { MarkLines } from '../tools/mark-lines.ts';
 import { icon } from './icons.ts';
 
 const titles: Readonly<Record<ChainRole, string>> = {
-  crease: 'Sharp',
+  crease: 'Crease',
   smooth: 'Smooth',
   straight: 'Straight',
 };

@@ -1,10 +1,18 @@
 import { centerIn, type HandleGroup, targetCenter } from '../../src/editor/handle-groups.ts';
 import { type Project, restShapeOf } from '../../src/editor/project.ts';
+import type { Mesh } from '../../src/mesh/mesh.ts';
+import { weldOf } from '../../src/mesh/weld.ts';
 import type { Handles } from '../../src/methods/values/handles.ts';
-import type { Candidate } from '../../src/selection/index.ts';
+import {
+  type Candidate,
+  combined,
+  drawnOf,
+  nothing,
+  type SelectableMesh,
+} from '../../src/selection/index.ts';
 import type { Layer } from '../../src/viewer/layers/layer.ts';
 import type { Layers } from '../../src/viewer/layers/layers.ts';
-import { CandidateLayers } from './candidate-layers.ts';
+import { CandidateLayers, dotsLayer, facesLayer } from './candidate-layers.ts';
 
 const red = '#d8342a';
 const orange = '#f0891c';
@@ -27,22 +35,45 @@ export class HandleLayers {
     this.#pointed = new CandidateLayers(layers);
   }
 
+  /** @param surface null while the mesh has not been looked at: then all are dots */
   show(
     groups: readonly HandleGroup[],
     active: HandleGroup | null,
     handles: Handles,
-    project: Project | null,
+    { project, surface }: { project: Project | null; surface: SelectableMesh | null },
   ): void {
     const isOrange = (group: HandleGroup) => group.isMoved || group.name === active?.name;
     const held = groups.filter((group) => !isOrange(group)).flatMap(({ vertices }) => vertices);
     const moved = groups.filter(isOrange).flatMap(({ vertices }) => vertices);
-    const now = [project?.mesh, held.length, held[0], moved.length, moved[0], moved.at(-1)];
+    const mesh = project?.mesh;
+    const now = [mesh, surface, held.length, held[0], moved.length, moved[0], moved.at(-1)];
     if (now.some((value, k) => value !== this.#shown[k])) {
-      this.#layers.set('handles-held', dots(held, red));
-      this.#layers.set('handles-moved', dots(moved, orange));
+      this.#tint('handles-held', held, red, mesh, surface);
+      this.#tint('handles-moved', moved, orange, mesh, surface);
       this.#shown = now;
     }
     this.#layers.set('handles-arrows', project && arrows(groups, handles, project));
+  }
+
+  /** Whole faces are tinted; what has none is dotted. */
+  #tint(
+    name: string,
+    positions: readonly number[],
+    color: string,
+    mesh: Mesh | undefined,
+    surface: SelectableMesh | null,
+  ): void {
+    if (!mesh || !surface || positions.length === 0) {
+      this.#layers.set(`${name}-faces`, null);
+      this.#layers.set(name, dots(positions, color));
+      return;
+    }
+    const { vertexOfPosition } = weldOf(mesh);
+    const vertices = positions.map((position) => vertexOfPosition[position]!);
+    const all = combined(nothing(surface.topology.vertices), vertices, 'add');
+    const { faces, vertices: bare } = drawnOf(all, surface.topology);
+    this.#layers.set(`${name}-faces`, facesLayer(mesh, faces, color, 0.5));
+    this.#layers.set(name, dotsLayer(mesh, bare, color, 6));
   }
 
   /** @param under what a press would take: a side, edge or rim, or else dots; null for nothing */
@@ -61,8 +92,7 @@ export class HandleLayers {
   clear(): void {
     this.#shown = [];
     this.#pointed.clear();
-    for (const name of ['handles-held', 'handles-moved', 'handles-arrows', 'handles-hover'])
-      this.#layers.set(name, null);
+    for (const name of this.#layers.names) if (name.startsWith('handles-')) this.#layers.set(name, null);
   }
 }
 

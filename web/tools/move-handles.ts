@@ -321,9 +321,9 @@ export class MoveHandles implements Tool {
     const { handles, store } = this.#parts;
     const { active, groups } = handles;
     const { project } = store.state;
-    if (project) this.#parts.surface.of(project);
+    const surface = project && this.#parts.surface.of(project);
     handles.seekMirror();
-    this.#layers.show(groups, active, handles.handles, project);
+    this.#layers.show(groups, active, handles.handles, { project, surface });
     if (!active || this.typed || this.#gesture?.kind === 'pull') this.#gizmo.hide();
     else this.#gizmo.show(targetCenter(handles.handles, active.vertices), this.#axesOf(active.vertices));
   }

@@ -73,7 +73,7 @@ export class Taking {
       return { hit, positions, candidate: null };
     }
     const map = new ScreenMap(interaction.viewer, weldOf(project.mesh).positionOfVertex);
-    const aim = aimAt(hit, pointer, map, reachOf[pointer.kind]);
+    const aim = aimAt(hit, pointer, map, lineShare * reachOf[pointer.kind]);
     const candidate = candidateAt(selectable, aim, { oneVertex: pointer.alt, spot });
     return { hit, positions: inFile(project, candidate.vertices), candidate };
   }
@@ -91,6 +91,9 @@ export class Taking {
     return found && project ? inFile(project, found) : undefined;
   }
 }
+
+/** Sides are what is pulled mostly: a line is only meant where the pointer is on it. */
+const lineShare = 0.5;
 
 function nearest({ corners, weights }: Hit): number {
   return corners[weights.indexOf(Math.max(...weights))]!;
