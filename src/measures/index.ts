@@ -5,6 +5,7 @@ import { growth } from './growth.ts';
 import type { Measure, Measured, Overlay, OverlayName } from './measure.ts';
 import { movement } from './movement.ts';
 import { strength } from './strength.ts';
+import { turn } from './turn.ts';
 
 export type { Measure, Measured, NormalTargets, Overlay, OverlayName, ScalarField } from './measure.ts';
 
@@ -16,6 +17,7 @@ const measures: readonly Measure[] = [
   curvatureAfter,
   movement,
   growth,
+  turn,
   strength,
 ];
 

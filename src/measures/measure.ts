@@ -42,6 +42,7 @@ export type OverlayName =
   | 'curvature-after'
   | 'movement'
   | 'growth'
+  | 'turn'
   | 'strength'
   | `field-${string}`;
 

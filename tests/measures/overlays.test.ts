@@ -66,7 +66,7 @@ describe('what is offered', () => {
     const ball = icosphere(1);
     expect(names(projectOf(ball))).toEqual(['angle-before', 'curvature-before']);
     expect(names(projectOf(ball, {}, (x) => x))).toEqual([
-      ...['angle-before', 'angle-after', 'curvature-before', 'curvature-after', 'movement', 'growth'],
+      ...['angle-before', 'angle-after', 'curvature-before', 'curvature-after', 'movement', 'growth', 'turn'],
     ]);
     expect(names(projectOf(ball, { method: 'arap' }))).toEqual(['curvature-before']);
     expect(names(projectOf(ball, { parameters: { polyhedron: 'rhombic-dodecahedron' } }))).toEqual([
@@ -180,6 +180,27 @@ describe('size', () => {
     )!;
     expect(overlay.values[0]!).toBeLessThan(0.85);
     expect(overlay.values.at(-1)!).toBeGreaterThan(1.1);
+  });
+});
+
+describe('tilt', () => {
+  it('is the angle by which each place looks elsewhere than in the file', () => {
+    const { positions, triangles } = openCylinder(40, 21);
+    const [c, s] = [Math.cos(0.3), Math.sin(0.3)];
+    // Turned about the z axis.
+    const turned = (x: number, i: number) =>
+      i % 3 === 0 ? c * x - s * positions[i + 1]! : i % 3 === 1 ? s * positions[i - 1]! + c * x : x;
+    const overlay = measure(projectOf({ positions, triangles }, {}, turned), 'turn')!;
+    for (const value of overlay.values) expect(value).toBeCloseTo((0.3 * 180) / Math.PI, 3);
+    expect(overlay).toMatchObject({
+      summary: 'on average 17.2°, 17.2° at most',
+      scale: { kind: 'rising', end: 20, unit: '°' },
+    });
+    const still = measure(
+      projectOf({ positions, triangles }, {}, (x) => 2 * x),
+      'turn',
+    )!;
+    expect(Math.max(...still.values)).toBeLessThan(0.1);
   });
 });
 
