@@ -75,6 +75,11 @@ it('takes hold of a side with a click, holds another still with Shift, and lets 
   await done(page, 'Take hold');
   expect(await groups()).toEqual(['Held', 'Moved']);
   expect((await handles()).every(({ from, to }) => from.every((x, k) => x === to[k]))).toBe(true);
+  // Where it was clicked it is dragged, straight out: no gizmo is in the way.
+  await drag(page, end, [860, 480], [870, 490]);
+  await done(page, 'Pull');
+  const ends = (await handles()).filter(({ from }) => from[0] === 4);
+  expect(ends.every(({ from, to }) => to[0]! > 4.1 && to[1] === from[1] && to[2] === from[2])).toBe(true);
   expect(await violations(page)).toEqual([]);
 
   await page.locator('[data-mode=let-go]').click();
@@ -84,6 +89,7 @@ it('takes hold of a side with a click, holds another still with Shift, and lets 
   // Sideways as well, where that is wanted.
   await page.locator('[data-mode=pull]').click();
   await page.locator('[data-act=straight-out]').uncheck();
+  await page.keyboard.press('Escape');
   await drag(page, end, [end[0], end[1] - 60]);
   await done(page, 'Pull');
   expect((await handles())[0]!.to[1]! - (await handles())[0]!.from[1]!).toBeGreaterThan(0.2);

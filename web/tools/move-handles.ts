@@ -1,4 +1,4 @@
-import { outlook, targetCenter } from '../../src/editor/handle-groups.ts';
+import { type HandleGroup, outlook, targetCenter } from '../../src/editor/handle-groups.ts';
 import { shownPositions } from '../../src/editor/project.ts';
 import { type Affine, translation } from '../../src/mesh/affine.ts';
 import { length, subtract, type Vec3 } from '../../src/mesh/vectors.ts';
@@ -81,6 +81,8 @@ export class MoveHandles implements Tool {
   #pointer: CanvasPointer | null = null;
   #isScheduled = false;
   #unlisten: (() => void) | null = null;
+  /** Whether the group of a name is a side that goes in and out; measured once for the handles that there are. */
+  #pushed: { of: readonly unknown[]; is: boolean } = { of: [null], is: false };
 
   constructor(parts: MoveParts) {
     this.#parts = parts;
@@ -228,6 +230,15 @@ export class MoveHandles implements Tool {
     return way && length(way) > 0 ? way : null;
   }
 
+  /** Whether the active group goes in and out as it is dragged itself: a gizmo there would only be in the way. */
+  #isPushed({ name, vertices }: HandleGroup): boolean {
+    const { handles } = this.#parts.handles;
+    const now = [handles, name, this.take, this.options.straight];
+    if (now.some((value, k) => value !== this.#pushed.of[k]))
+      this.#pushed = { of: now, is: this.#outwards(vertices) !== null };
+    return this.#pushed.is && this.options.gizmo === 'translate';
+  }
+
   #beginStroke(under: Under, mode: MoveMode): Gesture {
     const gesture = { kind: 'stroke', mode, taken: new Set<number>() } as const;
     this.#addToStroke(gesture, under);
@@ -324,7 +335,7 @@ export class MoveHandles implements Tool {
     const surface = project && this.#parts.surface.of(project);
     handles.seekMirror();
     this.#layers.show(groups, active, handles.handles, { project, surface });
-    if (!active || this.typed || this.#gesture?.kind === 'pull') this.#gizmo.hide();
+    if (!active || this.typed || this.#gesture?.kind === 'pull' || this.#isPushed(active)) this.#gizmo.hide();
     else this.#gizmo.show(targetCenter(handles.handles, active.vertices), this.#axesOf(active.vertices));
   }
 }
