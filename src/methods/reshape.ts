@@ -62,6 +62,7 @@ export const reshape: MethodDescriptor = {
       name: 'features',
       kind: 'chains',
       role: 'crease',
+      angle: 'featureAngle',
       label: 'Creases',
       doc: 'Lines along edges that are creases however little they bend.',
       hint: 'Edges that are creases however little they bend.',

@@ -1,6 +1,7 @@
 import { hasChain, withChain, withoutChain } from '../../src/editor/chains.ts';
 import type { Editor } from '../../src/editor/editor.ts';
 import { activeStep, type Project } from '../../src/editor/project.ts';
+import { withDefaults } from '../../src/editor/steps.ts';
 import { findMethod } from '../../src/methods/registry.ts';
 import { chainsParameters } from '../../src/methods/set-by-hand.ts';
 import type { Chains, ChainsParameter } from '../../src/methods/values/chains.ts';
@@ -31,6 +32,15 @@ export class LineActions {
   get parameters(): readonly ChainsParameter[] {
     const { project } = this;
     return project ? chainsParameters(findMethod(activeStep(project).method)) : [];
+  }
+
+  /** Degrees from which on an edge of the active step's mesh is a crease unasked; undefined where nothing says. */
+  get angle(): number | undefined {
+    const { project } = this;
+    const named = this.parameters.find(({ angle }) => angle !== undefined)?.angle;
+    const step = project && activeStep(project);
+    const value = step && named !== undefined ? withDefaults(step).parameters[named] : undefined;
+    return typeof value === 'number' ? value : undefined;
   }
 
   /** Those of one parameter. */

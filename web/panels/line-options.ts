@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { ChainRole, ChainsParameter } from '../../src/methods/values/chains.ts';
 import type { Page } from '../app/actions.ts';
-import { lineColors } from '../tools/line-layers.ts';
+import { lineColors, plainColor } from '../tools/line-layers.ts';
 import type { MarkLines } from '../tools/mark-lines.ts';
 import { icon } from './icons.ts';
 
@@ -30,6 +30,7 @@ export function lineOptions(page: Page, tool: MarkLines) {
       )}
     </div>
     <p class="explained">${parameter.hint ?? parameter.doc}</p>
+    <p class="explained found"><i aria-hidden="true" style="--dot: ${plainColor}"></i>Creases of the shape itself${page.lines.angle === undefined ? nothing : html`, from a bend of ${page.lines.angle}° on`}</p>
     <p class="pointed" aria-live="polite">${tool.pointed ?? nothing}</p>
     <ul class="groups" aria-label="Marked lines">
       ${parameters.filter((one) => page.lines.of(one).length > 0).map((one) => marked(page, one))}

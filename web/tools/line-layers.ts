@@ -14,7 +14,7 @@ export const lineColors: Readonly<Record<ChainRole, string>> = {
 };
 
 /** Those that nobody has marked. */
-const plain = '#7d7168';
+export const plainColor = '#7d7168';
 
 export interface MarkedLines {
   readonly role: ChainRole;
@@ -36,7 +36,7 @@ export class LineLayers {
     const isNew = !this.#layers.names.includes('sharp lines');
     if (surface !== this.#surface || isNew) {
       this.#surface = surface;
-      const edges = surface && mesh && edgesLayer(mesh, sharpEdges(surface), plain, 1.2);
+      const edges = surface && mesh && edgesLayer(mesh, sharpEdges(surface), plainColor, 1.2);
       this.#layers.set('sharp lines', edges);
     }
     for (const { role, chains } of marked) {

@@ -5,7 +5,7 @@ import type { CanvasPointer } from '../../src/viewer/canvas-tool.ts';
 import type { Interaction } from '../../src/viewer/interaction.ts';
 import type { LineActions } from '../app/line-actions.ts';
 import type { PageStore } from '../app/page-state.ts';
-import type { Selectable } from '../app/selectable.ts';
+import { Selectable } from '../app/selectable.ts';
 import { aimAt, reachOf } from './aim.ts';
 import { LineLayers } from './line-layers.ts';
 import { ScreenMap } from './screen-map.ts';
@@ -15,7 +15,6 @@ export interface MarkParts {
   readonly store: PageStore;
   readonly interaction: Interaction;
   readonly lines: LineActions;
-  readonly surface: Selectable;
 }
 
 /** Lines that are marked, or whose marks are taken away, between a press and its release. */
@@ -37,6 +36,8 @@ export class MarkLines implements Tool {
   pointed: string | null = null;
   readonly #parts: MarkParts;
   readonly #layers: LineLayers;
+  /** Its creases are those of the step. */
+  readonly #surface = new Selectable(() => this.#parts.store.set({}));
   #stroke: Stroke | null = null;
   #unlisten: (() => void) | null = null;
 
@@ -115,10 +116,10 @@ export class MarkLines implements Tool {
   }
 
   #lineAt(pointer: CanvasPointer): Line | null {
-    const { store, interaction, surface } = this.#parts;
+    const { store, interaction, lines } = this.#parts;
     const { project } = store.state;
     const { parameter } = this;
-    const selectable = project && surface.of(project);
+    const selectable = project && this.#surface.of(project, lines.angle);
     const hit = selectable && parameter ? interaction.picking.pick(pointer) : null;
     if (!hit) return null;
     const map = new ScreenMap(interaction.viewer, weldOf(project!.mesh).positionOfVertex);
@@ -141,14 +142,14 @@ export class MarkLines implements Tool {
   }
 
   #show(): void {
-    const { store, lines, surface } = this.#parts;
+    const { store, lines } = this.#parts;
     const { project } = store.state;
     const stroke = this.#stroke;
     const marked = lines.parameters.map((parameter) => ({
       role: parameter.role,
       chains: lines.of(parameter),
     }));
-    this.#layers.show(project && surface.of(project), project?.mesh ?? null, marked);
+    this.#layers.show(project && this.#surface.of(project, lines.angle), project?.mesh ?? null, marked);
     this.#layers.stroke(stroke && { role: stroke.parameter.role, chains: stroke.chains });
   }
 }

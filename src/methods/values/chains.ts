@@ -16,6 +16,8 @@ export type ChainRole = 'crease' | 'smooth' | 'straight';
 export interface ChainsParameter extends Parameter {
   readonly kind: 'chains';
   readonly role: ChainRole;
+  /** The parameter that says, in degrees, from which bend on an edge is a crease unasked. */
+  readonly angle?: string;
 }
 
 export const chains: ValueKind<ChainsParameter, Chains> = {
