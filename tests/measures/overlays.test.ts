@@ -202,6 +202,15 @@ describe('tilt', () => {
     )!;
     expect(Math.max(...still.values)).toBeLessThan(0.1);
   });
+
+  it('shows a flat side that stays as it was, though an edge of it bends', () => {
+    // A roof of two squares; the second is lifted.
+    const positions = Float64Array.of(0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0, 2, 1, 0);
+    const triangles = Uint32Array.of(0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3);
+    const lift = (x: number, i: number) => (i === 14 || i === 17 ? 1 : x);
+    const { values } = measure(projectOf({ positions, triangles }, {}, lift), 'turn')!;
+    expect([...values].map(Math.round)).toEqual([0, 0, 45, 45, 45, 45]);
+  });
 });
 
 describe('strength by vertex', () => {
