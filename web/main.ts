@@ -12,6 +12,7 @@ import { HandleActions } from './app/handle-actions.ts';
 import { ImageActions } from './app/image-actions.ts';
 import { followLayout } from './app/layout.ts';
 import { LineActions } from './app/line-actions.ts';
+import { followLines } from './app/line-paint.ts';
 import { followOverlay } from './app/overlay-paint.ts';
 import { newPageStore } from './app/page-state.ts';
 import { PlaneActions } from './app/plane-actions.ts';
@@ -78,6 +79,7 @@ const page = new Page({
 
 followTheme(store, viewer);
 followOverlay(store, viewer);
+followLines(store, interaction?.layers ?? null);
 followMethod(page);
 for (const panel of document.querySelectorAll<PageElement>('[data-panel]')) panel.page = page;
 if (viewer)

@@ -62,7 +62,7 @@ export interface Engine {
    */
   solve(mesh: Mesh, settings: SolveSettings, options?: SolveOptions): Promise<Solved>;
   /**
-   * A scalar field of the mesh's latest run, by its name in {@link Solved.fields}: #P in the file's order, or #F. Rejects with
+   * A field of the mesh's latest run, by its name in {@link Solved.fields}: #P in the file's order, or #F, or for lines #×2 positions. Rejects with
    * `bad-parameter` where there is none.
    */
   field(mesh: Mesh, name: string): Promise<Float64Array<ArrayBuffer>>;

@@ -22,12 +22,15 @@ export interface Preparation {
   readonly share: number;
 }
 
-/** A number for each vertex or face that a method knows besides the positions. */
+/** What a method knows besides the positions: a number for each vertex or face, or lines over the mesh. */
 export interface CoreField {
   readonly name: string;
   readonly label: string;
-  readonly per: 'vertex' | 'face';
+  /** Numbers of lines are vertices, two for each. */
+  readonly per: 'vertex' | 'face' | 'line';
   readonly unit: string;
+  /** How many lines there are; numbers know theirs. */
+  readonly count?: number;
 }
 
 /** What the core says of a mesh: all but what the weld knows. */
@@ -59,9 +62,9 @@ export interface CoreSession {
   copyPositions(into: Float64Array): void;
   /** What a person should know of the chosen values on this mesh, a sentence each. */
   warnings(): string[];
-  /** The scalar fields that the prepared method can show. */
+  /** What the prepared method can show besides the positions. */
   fields(): readonly CoreField[];
-  /** Writes a field, #V or #F. */
+  /** Writes a field, #V or #F, or the vertices of lines, #×2. */
   copyField(name: string, into: Float64Array): void;
   free(): void;
 }

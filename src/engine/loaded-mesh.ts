@@ -78,14 +78,16 @@ export class LoadedMesh {
     return this.#call(() => this.#session.fields());
   }
 
-  /** A field of the prepared method: #P in file order for one by vertex, #F for one by face. */
+  /** A field of the prepared method: #P in file order for one by vertex, #F for one by face, for lines #×2 positions of the file. */
   field(name: string): Float64Array<ArrayBuffer> {
     const field = this.fields().find((known) => known.name === name);
     if (!field) throw new WhittleError('bad-parameter', `There is no field “${name}” to show.`);
     const faces = solvedTriangles(this.weld).length / 3;
-    const values = new Float64Array(field.per === 'vertex' ? this.report.vertices : faces);
+    const sizes = { vertex: this.report.vertices, face: faces, line: 2 * (field.count ?? 0) };
+    const values = new Float64Array(sizes[field.per]);
     this.#call(() => this.#session.copyField(name, values));
-    const { solved } = this.weld;
+    const { solved, positionOfVertex } = this.weld;
+    if (field.per === 'line') return values.map((vertex) => positionOfVertex[vertex]!);
     if (field.per === 'face')
       return solved ? Float64Array.from(solved.solvedOf, (face) => values[face]!) : values;
     return Float64Array.from(this.weld.vertexOfPosition, (vertex) => values[vertex]!);

@@ -12,7 +12,7 @@ export interface Measured {
   /** λ of each position, #P; null where there is only the one λ. */
   readonly strengths: ArrayLike<number> | null;
   /** What the method itself knows of the shape. */
-  readonly fields: readonly ScalarField[];
+  readonly fields: readonly (ScalarField | LineField)[];
 }
 
 /** A number for each position or face that a method tells besides the shape. */
@@ -23,6 +23,15 @@ export interface ScalarField {
   /** As shown to people, '' for a pure number; × for factors. */
   readonly unit: string;
   /** #P, or #F. */
+  readonly values: Float64Array;
+}
+
+/** Lines over the mesh that a method tells besides the shape: creases that it found, and the like. */
+export interface LineField {
+  readonly name: string;
+  readonly label: string;
+  readonly per: 'line';
+  /** Positions of the file, two for each line. */
   readonly values: Float64Array;
 }
 

@@ -7,7 +7,7 @@ import type { ParameterValues } from '../methods/values/index.ts';
 import type { Recipe, RecipeStep } from './recipe.ts';
 import { Resolver, type Surroundings, type TexturedMesh } from './resolve.ts';
 
-/** A scalar field of a method, and its numbers: #P in the file's order, or #F. */
+/** A field of a method, and its numbers: #P in the file's order, or #F, or for lines #×2 positions. */
 export type FieldValues = Solved['fields'][number] & { readonly values: Float64Array<ArrayBuffer> };
 
 /** One step of a recipe, done. */
@@ -38,7 +38,7 @@ export interface StepOptions {
   readonly onProgress?: ProgressListener | undefined;
   /** Called when the step's names have been read, before the engine is asked; what it throws ends the step. */
   readonly onResolved?: () => void;
-  /** Whether the method's scalar fields are wanted. Default false. */
+  /** Whether the method's fields are wanted. Default false. */
   readonly fields?: boolean;
   /** What sentences about the mesh begin with; default nothing. */
   readonly place?: string;

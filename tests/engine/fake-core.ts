@@ -124,12 +124,15 @@ class FakeSession implements CoreSession {
   }
 
   fields(): readonly CoreField[] {
-    return [{ name: 'height', label: 'Height', per: 'vertex', unit: '' }];
+    return [
+      { name: 'height', label: 'Height', per: 'vertex', unit: '' },
+      { name: 'creases', label: 'Creases', per: 'line', unit: '', count: 2 },
+    ];
   }
 
-  copyField(_name: string, into: Float64Array): void {
+  copyField(name: string, into: Float64Array): void {
     into.forEach((_, v) => {
-      into[v] = this.#current[3 * v + 2]!;
+      into[v] = name === 'height' ? this.#current[3 * v + 2]! : v;
     });
   }
 

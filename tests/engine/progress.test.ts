@@ -153,12 +153,14 @@ describe('preparing in stages', () => {
   });
 });
 
-test('a scalar field of the latest run comes in the file’s order', async () => {
+test('a field of the latest run comes in the file’s order', async () => {
   const mesh = tetrahedron();
   const { fields } = await engine.solve(mesh, settings(3, false));
-  expect(fields.map(({ name }) => name)).toEqual(['height']);
+  expect(fields.map(({ name }) => name)).toEqual(['height', 'creases']);
   const heights = await engine.field(mesh, 'height');
   expect(heights).toHaveLength(5);
   expect(heights[0]).toBe(heights[2]);
+  // Lines come by positions of the file, two for each: the second place of a seam is not named.
+  expect([...(await engine.field(mesh, 'creases'))]).toEqual([0, 1, 3, 4]);
   await expect(engine.field(mesh, 'depth')).rejects.toThrow('There is no field “depth” to show.');
 });

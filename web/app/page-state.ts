@@ -1,5 +1,5 @@
 import { type EditorState, emptyState, Store } from '../../src/editor/state.ts';
-import type { Overlay, OverlayName } from '../../src/measures/index.ts';
+import type { LineField, Overlay, OverlayName } from '../../src/measures/index.ts';
 import type { Mesh } from '../../src/mesh/mesh.ts';
 import type { Box } from '../../src/viewer/box.ts';
 import type { Shading } from '../../src/viewer/viewer.ts';
@@ -17,6 +17,8 @@ export interface Look {
   /** The file's own shape is shown in place of the result. */
   readonly comparing: boolean;
   readonly overlay: OverlayName;
+  /** The names of the lines that are drawn over the mesh. */
+  readonly lines: readonly string[];
 }
 
 /** A style mesh on its way to the sphere. */
@@ -57,6 +59,8 @@ export interface PageState extends EditorState {
   /** Where each picture is on the canvas, the step's own first. */
   readonly frames: readonly Box[];
   readonly gallery: Gallery;
+  /** What {@link Look.lines} draw of the project. */
+  readonly lines: readonly LineField[];
   /** What there is to lay on the mesh; never undone. */
   readonly images: readonly ImageEntry[];
 }
@@ -66,10 +70,11 @@ export type PageStore = Store<PageState>;
 export function newPageStore(): PageStore {
   return new Store<PageState>({
     ...emptyState,
-    look: { shading: 'smooth', theme: 'auto', comparing: false, overlay: 'none' },
+    look: { shading: 'smooth', theme: 'auto', comparing: false, overlay: 'none', lines: [] },
     tool: 'turn',
     select: startingSelect,
     overlay: null,
+    lines: [],
     compared: [],
     frames: [],
     gallery: { entries: builtIn, pending: null, flow: null, offer: null, painting: false },

@@ -1,7 +1,7 @@
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { measuredOf } from '../../src/editor/measured.ts';
 import { shownResult } from '../../src/editor/project.ts';
-import { measuresFor, type Overlay } from '../../src/measures/index.ts';
+import { type LineField, linesFor, measuresFor, type Overlay } from '../../src/measures/index.ts';
 import { histogram, rangeOf } from '../../src/measures/scale.ts';
 import type { Page } from '../app/actions.ts';
 import { ramp } from '../app/color-ramp.ts';
@@ -19,6 +19,7 @@ export function measures(page: Page, { look, overlay, project, activity }: PageS
   const energy =
     activity.kind === 'solving' ? activity.energy : ((project && shownResult(project)?.energy) ?? []);
   const offered = project ? measuresFor(measuredOf(project)) : [];
+  const lines = project ? linesFor(measuredOf(project)) : [];
   const chosen = offered.some(({ name }) => name === look.overlay) ? look.overlay : 'none';
   return html`
     <details class="measures">
@@ -30,10 +31,25 @@ export function measures(page: Page, { look, overlay, project, activity }: PageS
             <label><input type="radio" name="overlay" .value=${name} .checked=${chosen === name} @change=${() => page.look({ overlay: name })} /><span>${label}</span></label>`,
         )}
       </fieldset>
+      ${lines.length > 0 ? drawing(page, lines) : nothing}
       ${overlay ? spread(overlay) : nothing}
       ${energy.length > 1 ? fall(energy) : nothing}
     </details>
   `;
+}
+
+function drawing(page: Page, lines: readonly LineField[]): TemplateResult {
+  const chosen = page.store.state.look.lines;
+  const choose = (name: string, isOn: boolean) =>
+    page.look({ lines: isOn ? [...chosen, name] : chosen.filter((one) => one !== name) });
+  return html`
+    <fieldset class="chips">
+      <legend>Draw over it</legend>
+      ${lines.map(
+        ({ name, label }) => html`
+          <label><input type="checkbox" name="lines" .value=${name} .checked=${chosen.includes(name)} @change=${(event: Event) => choose(name, (event.target as HTMLInputElement).checked)} /><span>${label}</span></label>`,
+      )}
+    </fieldset>`;
 }
 
 function spread({ scale, values, verdict }: Overlay): TemplateResult {
