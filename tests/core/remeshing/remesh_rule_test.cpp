@@ -19,11 +19,16 @@ TEST_CASE("the rule: shapes of few long faces are remeshed, even and fine ones a
   CHECK(needsRemeshing(bent(torus(60))) == RemeshCause::none);
 }
 
-TEST_CASE("edges are a third of the smallest radius, within limits") {
-  CHECK(remeshedEdge(drilledPlate(5, .08, 48, .06)) == doctest::Approx(.08 / 3).epsilon(.05));
-  CHECK(remeshedEdge(drilledPlate(5, .03, 48, .06)) == doctest::Approx(.02));
-  CHECK(remeshedEdge(longBox(1, 1)) == doctest::Approx(.04));
-  TriangleMesh large = drilledPlate(5, .08, 48, .06);
+TEST_CASE("edges are as long whatever the units, and longer where they would be too many") {
+  const TriangleMesh plate = drilledPlate(5, .05, 48, .06);
+  CHECK(remeshedEdge(plate) == doctest::Approx(.04));
+  TriangleMesh large = plate;
   large.positions *= 70;
-  CHECK(remeshedEdge(large) == doctest::Approx(70 * .08 / 3).epsilon(.05));
+  CHECK(remeshedEdge(large) == doctest::Approx(70 * .04));
+  // A rack of rods, all of them round.
+  TriangleMesh rods = prism(24, 0);
+  rods.positions *= Vec3(.01, .01, 1 / 1.5).asDiagonal();
+  for (int i = 0; i < 8; ++i)
+    rods = together(rods, rods, i % 2 ? Vec3(.03 * (1 << i / 2), 0, 0) : Vec3(0, .03 * (1 << i / 2), 0));
+  CHECK(remeshedEdge(rods) > .05 * boundingBox(rods).sizes().maxCoeff());
 }

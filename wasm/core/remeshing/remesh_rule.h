@@ -15,9 +15,8 @@ enum class RemeshCause {
 /// Whether a mesh has to be remeshed before it is reshaped: the first cause that it gives.
 RemeshCause needsRemeshing(const TriangleMesh& mesh);
 
-/// Length of edges to remesh to, in the mesh's units: a third of the smallest radius to which something is round (a
-/// hole, a rod, a fillet, or a rim of six edges and more), but between 0.02 and 0.04 of the longest side, and such that
-/// no more than some 120 000 faces come of it.
+/// Length of edges to remesh to on what is flat, in the mesh's units: 0.04 of the longest side, or more where that would
+/// make more than some 120 000 faces. Where the surface curves the remesher goes finer (`edgeSizes`).
 /// @param mesh without slivers
 /// @param featureAngle in degrees
 double remeshedEdge(const TriangleMesh& mesh, double featureAngle = 35);

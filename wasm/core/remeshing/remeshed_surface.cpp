@@ -8,7 +8,7 @@ namespace whittle {
 namespace {
 
 /// Edges grow by no more than this over their own length, from one to the next.
-constexpr double kGrading = 0.35;
+constexpr double kGrading = 0.25;
 /// Edges longer than this times their target are cut.
 constexpr double kLong = 4.0 / 3;
 /// What a part of a face may turn when it is cut at most, as a cosine.

@@ -146,7 +146,7 @@ void Remesher::plan() {
          Kind::flip, Kind::smooth, Kind::flip, Kind::smooth},
         1);
   }
-  add({Kind::flip, Kind::smooth, Kind::flip}, 1);
+  add({Kind::split, Kind::flip, Kind::smooth, Kind::flip}, 1);
   end_ = passes_.empty() ? 0 : count(passes_.front());
 }
 
