@@ -31,7 +31,7 @@ DerivedMesh remeshed(const TriangleMesh& mesh, RemeshSettings settings) {
     REQUIRE(now >= done);
     done = now;
   }
-  return remesher.take();
+  return remesher.take().derived;
 }
 
 DerivedMesh remeshed(const TriangleMesh& mesh) { return remeshed(mesh, {remeshedEdge(mesh)}); }
@@ -246,6 +246,18 @@ TEST_CASE("the surface stays where it is, and parts and origins are known") {
       }
       CHECK((point - mesh.positions.row(v).transpose()).norm() < 0.009);
     }
+  }
+}
+
+TEST_CASE("walls of slivers are cut into faces that are none, unless they are next to nothing") {
+  for (const double thin : {5e-4, 1e-5}) {
+    TriangleMesh plate = longBox(1, 1);
+    plate.positions *= Vec3(1, .8, thin).asDiagonal();
+    REQUIRE(clean(plate).unmended.size() == 8);
+    Remesher remesher(plate, {0.04});
+    while (remesher.next() < 1) {
+    }
+    CHECK(remesher.take().unmended.empty() == (thin > 1e-4));
   }
 }
 

@@ -8,7 +8,6 @@
 #include "geometry/feature_edges.h"
 #include "geometry/surface.h"
 #include "mesh/disjoint_sets.h"
-#include "remeshing/clean.h"
 #include "remeshing/remeshed_surface.h"
 
 namespace whittle {
@@ -185,11 +184,12 @@ void Remesher::work() {
   if (++pass_ < passes_.size()) end_ = count(passes_[pass_]);
 }
 
-DerivedMesh Remesher::take() {
-  DerivedMesh made = shape_->surface->mesh().derived();
+CleanMesh Remesher::take() {
+  const DerivedMesh made = shape_->surface->mesh().derived();
   shape_.reset();
-  DerivedMesh cleaned = clean(made.mesh).derived;
-  return made.then(std::move(cleaned));
+  CleanMesh result = clean(made.mesh);
+  result.derived = made.then(std::move(result.derived));
+  return result;
 }
 
 }  // namespace whittle

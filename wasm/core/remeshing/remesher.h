@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "remeshing/derived_mesh.h"
+#include "remeshing/clean.h"
 
 namespace whittle {
 
@@ -26,8 +26,8 @@ class Remesher {
 
   /// Does a slice of some 10 ms; returns the share that is done, 1 at the end.
   double next();
-  /// What came of it, once all is done.
-  DerivedMesh take();
+  /// What came of it, once all is done; what it left of slivers is mended as far as that can be.
+  CleanMesh take();
 
  private:
   struct Pass {

@@ -78,9 +78,10 @@ void WorkingSurface::remesh(double& done) {
   if (!remesher_) return;
   done = remesher_->next();
   if (done < 1) return;
-  DerivedMesh remeshed = remesher_->take();
+  CleanMesh remeshed = remesher_->take();
   remesher_.reset();
-  working_ = working_.then(std::move(remeshed));
+  working_ = working_.then(std::move(remeshed.derived));
+  unmended_ = static_cast<Index>(remeshed.unmended.size());  // long ones were cut into what is none
 }
 
 /// Lays what the loops read together side by side: vertices in an elimination order, faces by their vertices.
