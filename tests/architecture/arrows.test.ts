@@ -93,6 +93,7 @@ describe('arrows of the house', () => {
     const doors = [
       'sparse_cholesky',
       'conjugate_gradients',
+      'lane_gradients',
       'matrix_field_system',
       'vector_field_system',
       'constrained_quadratic',

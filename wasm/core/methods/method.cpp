@@ -14,13 +14,18 @@ const char* outcomeName(Outcome outcome) {
 }
 
 std::string describeFields(const std::vector<Field>& fields) {
-  return jsonList(fields, [](const Field& field) {
-    return Json()
-        .add("name", std::string(field.name))
+  const auto nameOf = [](Field::Per per) {
+    constexpr const char* kNames[] = {"vertex", "face", "line"};
+    return std::string(kNames[static_cast<int>(per)]);
+  };
+  return jsonList(fields, [&](const Field& field) {
+    Json json;
+    json.add("name", std::string(field.name))
         .add("label", std::string(field.label))
-        .add("per", std::string(field.per == Field::Per::vertex ? "vertex" : "face"))
-        .add("unit", std::string(field.unit))
-        .text();
+        .add("per", nameOf(field.per))
+        .add("unit", std::string(field.unit));
+    if (field.per == Field::Per::line) json.add("count", field.count);
+    return json.text();
   });
 }
 

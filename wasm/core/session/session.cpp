@@ -155,10 +155,14 @@ std::vector<Field> Session::fields() const {
 Status Session::copyField(const std::string& name, double* into) const {
   for (const Field& field : fields()) {
     if (name != field.name) continue;
-    const bool isPerVertex = field.per == Field::Per::vertex;
-    Scalars values(isPerVertex ? rest_.vertexCount() : rest_.faceCount());
+    const bool isPerVertex = field.per == Field::Per::vertex, isOfLines = field.per == Field::Per::line;
+    Scalars values(isPerVertex ? rest_.vertexCount() : isOfLines ? 2 * field.count : rest_.faceCount());
     field.write(values);
-    Eigen::Map<Scalars>(into, values.size()) = isPerVertex ? vertexOrder_.rowsAsLoaded(values) : values;
+    if (isPerVertex) values = vertexOrder_.rowsAsLoaded(values);
+    if (isOfLines) {
+      for (double& vertex : values) vertex = vertexOrder_.vertexAt(static_cast<Index>(vertex));
+    }
+    Eigen::Map<Scalars>(into, values.size()) = values;
     return {};
   }
   return Status::failure(Code::badParameter, "there is no field \"" + name + "\" to show");

@@ -88,13 +88,26 @@ Status Alternation::report(StepReport& report) {
     return Status::failure(Code::numericalFailure,
                            "the iteration lost its numbers; the mesh may hold faces too thin to compute with");
   }
+  const double out = moveOutOfFaces();
   positions_.swap(next_);
-  report = {judge(energy, move), energy, move};
+  report = {judge(energy, move, out), energy, move};
   if (report.outcome == Outcome::running) beginTransformations();
   return {};
 }
 
-Outcome Alternation::judge(double energy, double move) {
+/// What slides within plane sides is not seen.
+double Alternation::moveOutOfFaces() const {
+  double largest = 0;
+  for (Index f = 0; f < surface_->faceCount(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const Index v = surface_->mesh.triangles(f, k);
+      largest = std::max(largest, std::abs(surface_->faceNormals.row(f).dot(next_.row(v) - positions_.row(v))));
+    }
+  }
+  return largest;
+}
+
+Outcome Alternation::judge(double energy, double move, double moveOutOfFaces) {
   ++iterations_;
   const double decrease = energyBefore_ - energy;
   energyBefore_ = energy;
@@ -109,7 +122,8 @@ Outcome Alternation::judge(double energy, double move) {
     }
     if (move < kStillShare * surface_->averageLength) return Outcome::converged;
     if (decrease < kLeastDecrease / std::abs(energy)) return Outcome::converged;
-    if (move * iterations_ / 5 < limits_.unseenMove) return Outcome::converged;
+    const double fifth = iterations_ / 5.0;
+    if (moveOutOfFaces * fifth < limits_.unseenMove && move * fifth < limits_.unseenSlide) return Outcome::converged;
   }
   return iterations_ >= limits_.iterations ? Outcome::iterationLimit : Outcome::running;
 }

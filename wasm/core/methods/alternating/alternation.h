@@ -11,9 +11,10 @@ struct AlternationLimits {
   int iterations = 100;
   double tolerance = 1e-3;  // of each vertex solve, of what is left to do
   MatrixFieldSystem::Limits transformations;
-  /// The move of an iteration times a fifth of their number, below which nobody sees what is still to come; 0: as
-  /// printed, only moves below a hundredth of the mean edge end the run.
-  double unseenMove = 0;
+  /// The move of an iteration times a fifth of their number, below which nobody sees what is still to come: of vertices
+  /// out of their faces, and of vertices at all. 0: as printed, only moves below a hundredth of the mean edge end the
+  /// run.
+  double unseenMove = 0, unseenSlide = 0;
 };
 
 /// The alternating solves of a run: vertices for given transformations, transformations for given vertices. It ends when
@@ -39,7 +40,8 @@ class Alternation {
   void beginTransformations();
   void setGoals();
   Status report(StepReport& report);
-  Outcome judge(double energy, double move);
+  double moveOutOfFaces() const;
+  Outcome judge(double energy, double move, double moveOutOfFaces);
 
   const RestSurface* surface_ = nullptr;
   EnergyWeights weights_;

@@ -6,6 +6,12 @@
 
 namespace whittle {
 
+namespace {
+
+constexpr double kSteep = 0.5;  // cos 60°
+
+}  // namespace
+
 FoldReport findFolds(const RestSurface& surface, const Points& positions) {
   const Triangles& triangles = surface.mesh.triangles;
   const auto qualityOf = [&](const Points& at, Index f) {
@@ -16,7 +22,9 @@ FoldReport findFolds(const RestSurface& surface, const Points& positions) {
   std::vector<double> ratios;
   ratios.reserve(surface.faceCount());
   for (Index f = 0; f < surface.faceCount(); ++f) {
-    report.flipped += surface.faceNormals.row(f).dot(normals.row(f)) < 0;
+    const double cosine = surface.faceNormals.row(f).dot(normals.row(f));
+    report.flipped += cosine < 0;
+    report.steep += cosine < kSteep;
     const double rest = qualityOf(surface.mesh.positions, f);
     if (rest > 0) ratios.push_back(qualityOf(positions, f) / rest);
   }

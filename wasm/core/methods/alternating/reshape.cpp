@@ -198,7 +198,17 @@ std::vector<std::string> Reshape::warnings(const ReshapeParameters& values) cons
 
 std::vector<Field> Reshape::fields() const {
   if (isLocalGlobal()) return arap_.fields();
-  return {};
+  if (variant_ == Variant::poisson) return {};
+  const auto lines = [](const char* name, const char* label, const std::vector<Index>& vertices) {
+    return Field{name, label, Field::Per::line, "",
+                 [vertices](Scalars& values) { std::copy(vertices.begin(), vertices.end(), values.begin()); },
+                 static_cast<Index>(vertices.size() / 2)};
+  };
+  const Structure& structure = working_.structure();
+  return {Field{"sphericity", "Round as a ball", Field::Per::vertex, "",
+                [this](Scalars& values) { values = working_.onInput(run_.sphericity()); }},
+          lines("creases", "Creases", working_.linesOnInput(structure.features)),
+          lines("straight", "Straight lines", working_.linesOnInput(structure.straightChains))};
 }
 
 MethodInfo reshapeMethod() {

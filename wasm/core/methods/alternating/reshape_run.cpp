@@ -14,8 +14,8 @@ namespace {
 constexpr double kMissed = 0.005;
 /// More folded faces than this share are no result.
 constexpr double kMostFlipped = 0.01;
-/// What of the diagonal nobody sees.
-constexpr double kUnseen = 1e-3;
+/// What of the diagonal nobody sees, out of faces and along them.
+constexpr double kUnseenMove = 3e-4, kUnseenSlide = 1e-3;
 
 std::vector<PointRow> joined(const RunRows& rows) {
   std::vector<PointRow> all = rows.handles;
@@ -103,7 +103,10 @@ void ReshapeRun::limit(bool finalize, int maxIterations) {
 AlternationLimits ReshapeRun::limits() const {
   AlternationLimits limits;
   limits.iterations = maxIterations_;
-  if (settings_.reading == Reading::tuned) limits.unseenMove = kUnseen * settings_.diagonal;
+  if (settings_.reading == Reading::tuned) {
+    limits.unseenMove = kUnseenMove * settings_.diagonal;
+    limits.unseenSlide = kUnseenSlide * settings_.diagonal;
+  }
   return limits;
 }
 

@@ -171,6 +171,49 @@ void WorkingSurface::findScaffold(double& done) {
   isMade_ = true;
 }
 
+Scalars WorkingSurface::onInput(const Scalars& ofFaces) const {
+  const TriangleMesh& mesh = working_.mesh;
+  Scalars sums = Scalars::Zero(mesh.vertexCount()), counts = sums;
+  for (Index f = 0; f < mesh.faceCount(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      sums[mesh.triangles(f, k)] += ofFaces[f];
+      ++counts[mesh.triangles(f, k)];
+    }
+  }
+  const Scalars means = sums.cwiseQuotient(counts.cwiseMax(1));
+  Scalars result(rest_->vertexCount());
+  for (Index v = 0; v < result.size(); ++v) {
+    const Transfer::Place& place = transfer_->place(v);
+    result[v] = place.twin >= 0 ? means[place.twin] : 0;
+    for (int k = 0; k < 3 && place.twin < 0 && place.face >= 0; ++k)
+      result[v] += place.weights[k] * means[mesh.triangles(place.face, k)];
+  }
+  return result;
+}
+
+std::vector<Index> WorkingSurface::linesOnInput(const std::vector<bool>& edges) const {
+  VertexChains chains;
+  for (Index e = 0; e < surface_->edges.count(); ++e) {
+    if (edges[e]) chains.push_back({surface_->edges.ends[e][0], surface_->edges.ends[e][1]});
+  }
+  return linesOnInput(chains);
+}
+
+/// A chain goes on past vertices that the input does not have.
+std::vector<Index> WorkingSurface::linesOnInput(const VertexChains& chains) const {
+  std::vector<Index> lines;
+  for (const std::vector<Index>& chain : chains) {
+    Index last = -1;
+    for (const Index v : chain) {
+      const Index own = working_.vertexOrigin[v];
+      if (own < 0) continue;
+      if (last >= 0) lines.insert(lines.end(), {last, own});
+      last = own;
+    }
+  }
+  return lines;
+}
+
 std::vector<std::string> WorkingSurface::remarks() const {
   std::vector<std::string> remarks;
   if (isRemeshed_) {

@@ -32,6 +32,11 @@ class WorkingSurface {
   const FeatureSettings& features() const { return features_; }
   const std::vector<Attachment>& attachments() const { return attachments_; }
   const Scaffold& scaffold() const { return scaffold_; }
+  /// A number for each face of the surface as one for each vertex of the input, #V: the mean of its faces' there.
+  Scalars onInput(const Scalars& ofFaces) const;
+  /// Edges of the surface between vertices that the input has too: two vertices each.
+  std::vector<Index> linesOnInput(const std::vector<bool>& edges) const;
+  std::vector<Index> linesOnInput(const VertexChains& chains) const;
   /// What was done to the faces, a sentence each.
   std::vector<std::string> remarks() const;
 
