@@ -28,7 +28,7 @@ it('offers methods as pictures by what a person wants, each with its sentence, f
   expect(groups).toEqual([
     ['Carve', 'Cubic', 'Style', 'Blocks', 'Relief'],
     ['Fold', 'Paper'],
-    ['Move', 'Pose'],
+    ['Move', 'Reshape', 'Pose'],
   ]);
   const pictures = page.locator('.switch img');
   await page.waitForFunction(() =>
@@ -36,7 +36,7 @@ it('offers methods as pictures by what a person wants, each with its sentence, f
   );
   expect(
     await pictures.evaluateAll((all) => all.map((one) => (one as HTMLImageElement).naturalWidth)),
-  ).toEqual(Array(6).fill(104));
+  ).toEqual(Array(7).fill(104));
   await page.locator('.switch input').nth(1).focus();
   await page.keyboard.press('ArrowRight');
   await entered(page, 'Cube');
@@ -119,6 +119,7 @@ it.runIf(canEmulate).each([
     'Blocks',
     'Relief',
     'Paper',
+    'Reshape',
     'Pose',
   ]);
   expect(await violations(page)).toEqual([]);
