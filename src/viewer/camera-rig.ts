@@ -48,7 +48,7 @@ export class CameraRig {
     const tangent = Math.tan((fieldOfView * Math.PI) / 360);
     // The view's height belongs to the whole canvas; the sphere has to fit the free part of it, both ways.
     const share = Math.min(free.height, free.width) / this.#size.height;
-    const distance = (radius * 0.94) / Math.max(0.1, tangent * share);
+    const distance = (radius * 0.94) / Math.max(0.02, tangent * share);
     const goal = { position: home.clone().multiplyScalar(distance), target: new Vector3() };
     this.controls.maxDistance = Math.max(20, distance * 2);
     if (glide) {

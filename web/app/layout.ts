@@ -79,7 +79,7 @@ function insideOf(box: DOMRect, { top, right, bottom, left }: Insets, margin: nu
 
 /** What is left of the canvas around a frame and its name. */
 function around(box: DOMRect, { left, top, width, height }: Box, name: number): Insets {
-  const air = name > 0 ? 0.08 * Math.min(width, height) : 0;
+  const air = name > 0 ? 0.04 * Math.min(width, height) : 0;
   const [right, bottom] = [box.width - left - width, box.height - top - height];
   return { left: left + air, top: top + name, right: right + air, bottom: bottom + air };
 }
