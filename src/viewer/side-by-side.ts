@@ -66,14 +66,15 @@ export class SideBySide {
     renderer.setScissorTest(true);
     this.#drawIn(this.#first, body, studio);
     const mine = [body?.object, overlay, gizmos].filter((one) => one !== undefined);
-    for (const one of mine) one.visible = false;
+    const seen = mine.filter(({ visible }) => visible);
+    for (const one of seen) one.visible = false;
     for (const picture of this.#pictures) {
       picture.body.shade(shading);
       turned.add(picture.body.object);
       this.#drawIn(picture.box, picture.body, studio);
       turned.remove(picture.body.object);
     }
-    for (const one of mine) one.visible = true;
+    for (const one of seen) one.visible = true;
     renderer.setScissorTest(false);
     const { clientWidth, clientHeight } = this.#viewer.canvas;
     renderer.setViewport(0, 0, clientWidth, clientHeight);

@@ -80,6 +80,12 @@ it('compares up to as many as there are, by keys alone, and can be read by all',
   await page.getByRole('button', { name: 'Take Soft away' }).press('Enter');
   await page.getByRole('button', { name: 'Take Crisp away' }).press('Enter');
   expect(await page.locator('.compared').count()).toBe(0);
+  // Another method has other choices.
+  await page.keyboard.press('n');
+  await page.waitForSelector('.compared >> nth=1');
+  await page.locator('.switch').getByText('Reshape', { exact: true }).click();
+  await done(page, 'Reshape');
+  expect(await page.locator('.compared').count()).toBe(0);
   // What cannot be compared by anything offers nothing.
   await page.locator('.switch').getByText('Cubic', { exact: true }).click();
   await done(page, 'Cubic');

@@ -33,6 +33,8 @@ export class Comparing {
   readonly #parts: ComparingParts;
   #comparison: Comparison | null = null;
   #mesh: Mesh | null = null;
+  /** By which the pictures differ. */
+  #by: string | undefined;
   /** The value that the step had when it was looked at last. */
   #own: string | null = null;
   /** The page is as wide as a phone. */
@@ -150,6 +152,7 @@ export class Comparing {
       this.#comparison.compare(parameter.name, compared);
     }
     this.#mesh = this.#store.state.project?.mesh ?? null;
+    this.#by = parameter?.name;
     this.#own = this.#own ?? this.own;
     this.#store.set({ compared });
   }
@@ -170,11 +173,11 @@ export class Comparing {
     });
   }
 
-  /** Another mesh or method has nothing to do with what is compared; a value that the step takes from a picture goes the other way. */
+  /** Another mesh or parameter has nothing to do with what is compared; a value that the step takes from a picture goes the other way. */
   #follow(project: Project | null): void {
     if (!this.isOn) return;
     const { parameter, own } = this;
-    if (!project || project.mesh !== this.#mesh || !parameter) {
+    if (!project || project.mesh !== this.#mesh || parameter?.name !== this.#by) {
       this.leave();
       return;
     }
