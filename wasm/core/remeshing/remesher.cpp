@@ -96,13 +96,14 @@ struct Remesher::Shape {
   std::optional<RemeshedSurface> surface;
 };
 
-Remesher::Remesher(const TriangleMesh& mesh, RemeshSettings settings) : mesh_(mesh), settings_(std::move(settings)) {}
+Remesher::Remesher(const TriangleMesh& mesh, RemeshSettings settings)
+    : mesh_(mesh), settings_(std::move(settings)), shape_(std::make_unique<Shape>()) {}
 Remesher::~Remesher() = default;
 
 double Remesher::next() {
-  if (!shape_) {
+  if (!shape_->patches) {
     study();
-    return kStudyShare / 2;
+    return kStudyShare / 4;
   }
   if (!shape_->patches->growNext(kMoved)) return kStudyShare / 2;
   if (!shape_->surface) {
@@ -116,13 +117,17 @@ double Remesher::next() {
 }
 
 void Remesher::study() {
-  shape_ = std::make_unique<Shape>();
-  shape_->edges = MeshEdges(mesh_.triangles, mesh_.vertexCount());
-  shape_->pairs = facePairs(mesh_.positions, mesh_.triangles, shape_->edges);
-  shape_->isCrease = creasesOf(mesh_, shape_->edges, shape_->pairs, settings_);
-  shape_->lines.emplace(mesh_, shape_->edges, shape_->isCrease,
-                        cornersOf(mesh_, shape_->edges, shape_->pairs, shape_->isCrease));
-  shape_->patches.emplace(mesh_, shape_->edges, shape_->pairs, shape_->isCrease, settings_.edge);
+  Shape& shape = *shape_;
+  if (shape.edges.start.empty()) {
+    shape.edges = MeshEdges(mesh_.triangles, mesh_.vertexCount());
+  } else if (shape.isCrease.size() != shape.edges.ends.size()) {
+    shape.pairs = facePairs(mesh_.positions, mesh_.triangles, shape.edges);
+    shape.isCrease = creasesOf(mesh_, shape.edges, shape.pairs, settings_);
+  } else if (!shape.lines) {
+    shape.lines.emplace(mesh_, shape.edges, shape.isCrease, cornersOf(mesh_, shape.edges, shape.pairs, shape.isCrease));
+  } else {
+    shape.patches.emplace(mesh_, shape.edges, shape.pairs, shape.isCrease, settings_.edge);
+  }
 }
 
 void Remesher::plan() {

@@ -36,7 +36,7 @@ class Remesher {
   };
   struct Shape;  // what is known of the mesh
 
-  void study();
+  void study();  // a piece of it
   void plan();
   void work();
   /// Elements that the pass goes over.
