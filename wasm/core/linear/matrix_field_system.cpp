@@ -44,7 +44,15 @@ Status MatrixFieldSystem::setDiagonal(Index node, const Block& block) {
   const Eigen::LLT<Block> cholesky(block);
   if (cholesky.info() != Eigen::Success)
     return Status::failure(Code::numericalFailure, "a face is too thin to compute with; repair the mesh first");
-  store(&diagonal_[kBlockRows * static_cast<std::size_t>(node)], block);
+  Block rest = block;
+  for (Index place = graph_.start[node]; place < graph_.start[node + 1]; ++place) {
+    const Coupling& P = couplings_[place];
+    const double sums[3][3] = {{P.xx, P.xy, P.xz}, {P.xy, P.yy, P.yz}, {P.xz, P.yz, P.zz}};
+    for (Index j = 0; j < 3; ++j) {
+      for (Index k = 0; k < 3; ++k) rest.block<3, 3>(3 * j, 3 * k).diagonal().array() -= sums[j][k];
+    }
+  }
+  store(&diagonal_[kBlockRows * static_cast<std::size_t>(node)], rest);
   store(&inverse_[kBlockRows * static_cast<std::size_t>(node)], cholesky.solve(Block::Identity()));
   return {};
 }
@@ -57,11 +65,13 @@ void MatrixFieldSystem::setCoupling(Index place, const Mat3& P) {
 void MatrixFieldSystem::apply(const MatrixRows& x, MatrixRows& y) const {
   for (Index t = 0; t < size(); ++t) {
     Lanes sums[3];
-    multiply(&diagonal_[kBlockRows * static_cast<std::size_t>(t)], &x[3 * t], sums);
+    const LaneRow* const own = &x[3 * t];
+    multiply(&diagonal_[kBlockRows * static_cast<std::size_t>(t)], own, sums);
     for (Index place = graph_.start[t]; place < graph_.start[t + 1]; ++place) {
       const Coupling& P = couplings_[place];
       const LaneRow* neighbour = &x[3 * graph_.neighbours[place]];
-      const Lanes a = load(neighbour), b = load(neighbour + 1), c = load(neighbour + 2);
+      const Lanes a = load(neighbour) - load(own), b = load(neighbour + 1) - load(own + 1),
+                  c = load(neighbour + 2) - load(own + 2);
       const Lanes xy = loadSplat(&P.xy), xz = loadSplat(&P.xz), yz = loadSplat(&P.yz);
       sums[0] -= a * loadSplat(&P.xx) + b * xy + c * xz;
       sums[1] -= a * xy + b * loadSplat(&P.yy) + c * yz;

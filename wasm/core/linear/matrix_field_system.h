@@ -32,7 +32,7 @@ class MatrixFieldSystem {
   const Graph& graph() const { return graph_; }
   Index size() const { return graph_.size(); }
 
-  /// Sets D_t. Fails with `numericalFailure` if it is not positive definite.
+  /// Sets D_t, once the node's couplings are there. Fails with `numericalFailure` if it is not positive definite.
   Status setDiagonal(Index node, const Block& block);
   /// Sets P of a node and its neighbour at this place of `graph().neighbours`.
   void setCoupling(Index place, const Mat3& P);
@@ -61,7 +61,8 @@ class MatrixFieldSystem {
   double precondition(const MatrixRows& r, MatrixRows& z) const;
 
   Graph graph_;
-  LaneRows diagonal_;  // of each node, column after column
+  LaneRows
+      diagonal_;  // D_t − I ⊗ Σ P of each node, column after column: couplings take what they are of X_t themselves
   LaneRows inverse_;
   std::vector<Coupling> couplings_;  // one for each place of `neighbours`
 

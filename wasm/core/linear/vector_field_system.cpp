@@ -1,6 +1,7 @@
 #include "linear/vector_field_system.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "simd/lane_algebra.h"
@@ -11,6 +12,9 @@ namespace {
 
 /// Beyond so many iterations the preconditioner is of values too far from the present ones.
 constexpr int kMostIterations = 60;
+/// One stiff place may make what there is to do a thousand times as much as it was the time before; what was small then
+/// still counts.
+constexpr double kMostGrowth = 4;
 /// Nodes that take part in the iterations of a slice.
 constexpr Index kSliceOfNodes = 120000;
 
@@ -53,6 +57,7 @@ void VectorFieldSystem::average() {
 }
 
 void VectorFieldSystem::beginPrepare(const Points& coordinates) {
+  scale_ = std::numeric_limits<double>::infinity();
   mean_.resize(size(), size());
   mean_.resizeNonZeros(size() + pairCount());
   Index place = 0, pair = 0;
@@ -98,7 +103,13 @@ void VectorFieldSystem::subtractProduct(const Points& X) {
 void VectorFieldSystem::toSingle() {
   LaneRow* row = blocks_.data();
   for (Index v = 0; v < size(); ++v) {
-    for (int j = 0; j < 3; ++j) setRow(*row++, diagonal_[v].col(j));
+    // What the couplings leave of the node's own block: for stiff systems it is small, and x_w − x_v loses nothing.
+    Mat3 rest = diagonal_[v];
+    for (Index place = start_[v]; place < start_[v + 1]; ++place) {
+      const Mat3& block = couplings_[neighbours_[place].pair];
+      rest += neighbours_[place].isLower ? block : Mat3(block.transpose());
+    }
+    for (int j = 0; j < 3; ++j) setRow(*row++, rest.col(j));
     for (Index place = start_[v]; place < start_[v + 1]; ++place) {
       const Mat3& block = couplings_[neighbours_[place].pair];
       for (int j = 0; j < 3; ++j)
@@ -109,15 +120,19 @@ void VectorFieldSystem::toSingle() {
 
 void VectorFieldSystem::apply(const LaneRows& x, LaneRows& y) const {
   const LaneRow* block = blocks_.data();
-  const auto product = [&block](const LaneRow& of) {
+  const auto product = [&block](Lanes of) {
+    LaneRow row;
+    store(&row, of);
     const Lanes sum =
-        load(block) * loadSplat(&of.x) + load(block + 1) * loadSplat(&of.y) + load(block + 2) * loadSplat(&of.z);
+        load(block) * loadSplat(&row.x) + load(block + 1) * loadSplat(&row.y) + load(block + 2) * loadSplat(&row.z);
     block += 3;
     return sum;
   };
   for (Index v = 0; v < size(); ++v) {
-    Lanes sum = product(x[v]);
-    for (Index place = start_[v]; place < start_[v + 1]; ++place) sum += product(x[neighbours_[place].node]);
+    const Lanes own = load(&x[v]);
+    Lanes sum = product(own);
+    for (Index place = start_[v]; place < start_[v + 1]; ++place)
+      sum += product(load(&x[neighbours_[place].node]) - own);
     store(&y[v], sum);
   }
 }
@@ -137,6 +152,7 @@ void VectorFieldSystem::beginImprove(const Points& B, double tolerance, int iter
   isFresh_ = isRefreshing_ = false;
   toSingle();
   beginDescent();
+  scale_ = std::min(first_, kMostGrowth * scale_);
 }
 
 void VectorFieldSystem::beginDescent() {
@@ -158,7 +174,7 @@ Status VectorFieldSystem::improveNext(bool& isDone) {
     beginDescent();
     return {};
   }
-  const double small = tolerance_ * tolerance_ * first_;
+  const double small = tolerance_ * tolerance_ * std::min(first_, scale_);
   for (Index work = 0; work < kSliceOfNodes && most_ > 0 && gradients_.squared() > small; work += size()) {
     const bool isBetter = gradients_.iterate(
         rows_, correction_, [this](const LaneRows& x, LaneRows& y) { apply(x, y); },

@@ -62,11 +62,13 @@ class VectorFieldSystem {
   std::vector<Index> start_;  // #nodes + 1, into `neighbours_`
   std::vector<Neighbour> neighbours_;
 
-  LaneRows blocks_;  // in single precision, of each node its own block and then those to its neighbours, by columns
+  LaneRows
+      blocks_;  // in single precision, of each node the sum of its row and then the blocks to its neighbours, by columns
   // While X is improved
   const Points* rhs_ = nullptr;
   Points* X_ = nullptr;
-  double tolerance_ = 0, first_ = 0;
+  double tolerance_ = 0, first_ = 0;  // rᵀ M⁻¹ r at the start
+  double scale_ = 0;                  // of that, what the tolerance is a share of
   int left_ = 0, most_ = 0;
   bool isFresh_ = false, isRefreshing_ = false;  // whether the preconditioner is of these values, or on its way
   Points residual_;

@@ -10,7 +10,7 @@ namespace whittle {
 /// A quadratic that is the same for x, y and z and does not change from iteration to iteration: stiffness · ‖Σ c v − d‖²
 /// over a few vertices. Handles, straight lines, ties between parts and the scaffold are of this kind.
 struct PointRow {
-  static constexpr int kMost = 5;
+  static constexpr int kMost = 6;
 
   std::array<Index, kMost> vertices{};
   std::array<double, kMost> coefficients{};  // c

@@ -18,6 +18,11 @@ constexpr double kNoMove = 1e-9;
 /// How many times the gesture before may be taken.
 constexpr double kMostTimes = 3;
 
+/// The print has no term for the thickness of walls.
+bool keepsWalls(const ReshapeParameters& values) {
+  return values.variant == Variant::slippage && values.reading == Reading::tuned;
+}
+
 ChoiceKind<Variant> variants() {
   return {{{"slippage", Variant::slippage},
            {"alup", Variant::alup},
@@ -83,8 +88,8 @@ void Reshape::planLocalGlobal(const TriangleMesh& rest, const ReshapeParameters&
 
 void Reshape::shape(const ReshapeParameters& values) {
   RunRows rows;
-  for (const Index v : values.handles.vertices)
-    rows.handles.push_back(handleRow(*rest_, working_.mesh(), working_.transfer(), v));
+  rows.handles = aimed(values);
+  keptWalls_ = keptWalls(working_.structure().walls, working_.surface(), rows.handles);
   rows.others = otherRows(values, rows.handles);
   emitted_.resize(0, 3);
   if (variant_ == Variant::poisson) {
@@ -109,7 +114,20 @@ std::vector<PointRow> Reshape::otherRows(const ReshapeParameters& values, const 
     addStraightRows(chainsAlong(values.straight, rest_->positions, working_.surface()), Straightness::straight,
                     positions, rows);
   }
+  if (keepsWalls(values)) addWallRows(working_.structure().walls, keptWalls_, working_.surface(), rows);
   addPins(working_.surface(), handles, rows);
+  return rows;
+}
+
+/// The rows of the handles with their targets.
+std::vector<PointRow> Reshape::aimed(const ReshapeParameters& values) const {
+  std::vector<PointRow> rows;
+  for (std::size_t h = 0; h < values.handles.vertices.size(); ++h) {
+    PointRow row = handleRow(*rest_, working_.mesh(), working_.transfer(), values.handles.vertices[h]);
+    row.target =
+        row.residual(working_.mesh().mesh.positions) + values.handles.targets.row(static_cast<Index>(h)).transpose();
+    rows.push_back(row);
+  }
   return rows;
 }
 
@@ -127,12 +145,12 @@ void Reshape::setGesture() {
 void Reshape::aim(const ReshapeParameters& values) {
   handles_ = values.handles;
   setGesture();
+  const std::vector<PointRow> handles = aimed(values);
+  // A wall whose sides are now moved apart is no wall any more.
+  if (keepsWalls(values) && keptWalls(working_.structure().walls, working_.surface(), handles) != keptWalls_)
+    shape(values);
   std::vector<Vec3> targets;
-  for (std::size_t h = 0; h < handles_.vertices.size(); ++h) {
-    const Vec3 on = handleRow(*rest_, working_.mesh(), working_.transfer(), handles_.vertices[h])
-                        .residual(working_.mesh().mesh.positions);
-    targets.push_back(on + handles_.targets.row(static_cast<Index>(h)).transpose());
-  }
+  for (const PointRow& handle : handles) targets.push_back(handle.target);
   if (variant_ == Variant::poisson) {
     poisson_.aim(targets);
     return;
@@ -200,7 +218,10 @@ std::vector<Field> Reshape::fields() const {
   if (isLocalGlobal()) return arap_.fields();
   if (variant_ == Variant::poisson) return {};
   const auto lines = [](const char* name, const char* label, const std::vector<Index>& vertices) {
-    return Field{name, label, Field::Per::line, "",
+    return Field{name,
+                 label,
+                 Field::Per::line,
+                 "",
                  [vertices](Scalars& values) { std::copy(vertices.begin(), vertices.end(), values.begin()); },
                  static_cast<Index>(vertices.size() / 2)};
   };

@@ -28,6 +28,7 @@ class Reshape final : public MethodOf<ReshapeParameters> {
   void shape(const ReshapeParameters& values);
   void aim(const ReshapeParameters& values);
   std::vector<PointRow> otherRows(const ReshapeParameters& values, const std::vector<PointRow>& handles) const;
+  std::vector<PointRow> aimed(const ReshapeParameters& values) const;
   void setGesture();
   /// The gesture as a multiple of the one that the last result is of; 0 where there is none.
   double shareOfGestureBefore() const;
@@ -41,6 +42,7 @@ class Reshape final : public MethodOf<ReshapeParameters> {
   ArapParameters arapValues_;
 
   Handles handles_;
+  std::vector<bool> keptWalls_;
   bool isGesture_ = false;                       // whether a handle is to move
   std::vector<Vec3> handleMoves_, movesBefore_;  // of this gesture; of the one that `emitted_` is of
   Points emitted_;                               // the positions that the last step left, of the input

@@ -18,15 +18,20 @@ std::vector<bool> featuresOf(const RestSurface& surface, const FeatureSettings& 
 }  // namespace
 
 StructureSearch::StructureSearch(const RestSurface& surface, const FeatureSettings& settings)
-    : surface_(surface), result_{featuresOf(surface, settings), {}, {}, {}},
-      estimate_(surface.mesh.positions, surface.mesh.triangles, surface.edges, result_.features) {}
+    : surface_(surface), result_{featuresOf(surface, settings), {}, {}, {}, {}},
+      estimate_(surface.mesh.positions, surface.mesh.triangles, surface.edges, result_.features), walls_(surface) {}
 
 double StructureSearch::next() {
-  constexpr double kCurvature = 0.9;  // share of the work
+  constexpr double kCurvature = 0.6, kWalls = 0.3;  // shares of the work
   if (estimated_ < 1) {
     estimated_ = estimate_.next();
     return kCurvature * estimated_;
   }
+  if (walled_ < 1) {
+    walled_ = walls_.next();
+    return kCurvature + kWalls * walled_;
+  }
+  result_.walls = walls_.take();
   result_.curvatures = estimate_.take();
   result_.patches = cylinderPatches(surface_.mesh, surface_.pairs, result_.features, result_.curvatures);
   result_.straightChains = straightChains(surface_.mesh.positions, surface_.edges, result_.features);

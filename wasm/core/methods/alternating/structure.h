@@ -5,6 +5,7 @@
 #include "constraints/straight_chains.h"
 #include "methods/alternating/cylinder_patches.h"
 #include "methods/alternating/rest_surface.h"
+#include "methods/alternating/thin_walls.h"
 
 namespace whittle {
 
@@ -21,6 +22,7 @@ struct Structure {
   Curvatures curvatures;       // #F
   std::vector<CylinderPatch> patches;
   VertexChains straightChains;  // of features
+  ThinWalls walls;
 };
 
 /// Finds the structure of a surface slice by slice.
@@ -38,7 +40,8 @@ class StructureSearch {
   const RestSurface& surface_;
   Structure result_;
   CurvatureEstimate estimate_;
-  double estimated_ = 0;
+  ThinWallSearch walls_;
+  double estimated_ = 0, walled_ = 0;
 };
 
 }  // namespace whittle
