@@ -15,7 +15,11 @@ namespace {
 constexpr double kLeastAnisotropy = 0.5, kLeastCurvature = 1;
 constexpr std::size_t kLeastFaces = 8;
 constexpr double kMostTilt = 0.1;  // root mean square of normal · axis
-constexpr double kMostDeviation = 0.03, kShareWithin = 0.95;
+constexpr double kMostDeviation = 0.03;
+constexpr double kLeastShare = 0.25;                                   // of a piece's faces that a cylinder in it has
+const double kMostUnited = std::sin(EIGEN_PI / 12) / (EIGEN_PI / 12);  // mean normal of an arc of 30°
+const double kLeastRadial = std::cos(EIGEN_PI / 9);  // of normals, as remeshed holes of 10 edges have them
+const double kSameTurn = std::cos(EIGEN_PI / 9);  // between the directions without curvature of faces beside each other
 /// Vertices whose spread across a line is below this share of that along it (squared) show no circle.
 constexpr double kNoArc = 1e-10;
 
@@ -23,18 +27,34 @@ constexpr double kMostDifference = 1e-3;  // of handles' moves
 constexpr double kSameDirection = 2 * EIGEN_PI / 180, kSameAxis = 0.05;
 constexpr double kLeastRatio = 0.7, kMostRatio = 1.43;
 
+/// Unit normals and the directions in which faces do not curve, or hardly, #F×3: the axis of a cylinder.
+struct FaceFrames {
+  Points normals, axes;
+
+  FaceFrames(const TriangleMesh& mesh, const Curvatures& curvatures)
+      : normals(mesh.faceCount(), 3), axes(mesh.faceCount(), 3) {
+    const auto at = [&](Index f, int k) -> Vec3 { return mesh.positions.row(mesh.triangles(f, k)).transpose(); };
+    for (Index f = 0; f < mesh.faceCount(); ++f) {
+      const Vec3 a = at(f, 0), normal = (at(f, 1) - a).cross(at(f, 2) - a).stableNormalized();
+      normals.row(f) = normal.transpose();
+      axes.row(f) = normal.cross(curvatures.direction.row(f).transpose()).transpose();
+    }
+  }
+};
+
 /// Faces that may lie on cylinders, each piece of them in one list.
 std::vector<std::vector<Index>> roundPieces(const std::vector<FacePair>& pairs, const std::vector<bool>& features,
-                                            const Curvatures& curvatures) {
+                                            const Curvatures& curvatures, const Points& axes) {
   const Index faceCount = static_cast<Index>(curvatures.larger.size());
   const auto isRound = [&](Index f) {
     return curvatures.anisotropy(f) > kLeastAnisotropy && curvatures.strongest(f) > kLeastCurvature &&
            !curvatures.direction.row(f).isZero(0);
   };
+  const auto turnAlike = [&](Index f, Index g) { return std::abs(axes.row(f).dot(axes.row(g))) > kSameTurn; };
   DisjointSets sets(faceCount);
   for (const FacePair& pair : pairs) {
     const Index f = faceOf(pair.first), g = faceOf(pair.second);
-    if (!features[pair.edge] && isRound(f) && isRound(g)) sets.join(f, g);
+    if (!features[pair.edge] && isRound(f) && isRound(g) && turnAlike(f, g)) sets.join(f, g);
   }
   std::vector<Index> pieceOf(faceCount, -1);
   std::vector<std::vector<Index>> pieces;
@@ -53,20 +73,34 @@ std::vector<std::vector<Index>> roundPieces(const std::vector<FacePair>& pairs, 
 /// Holds pieces of one mesh against cylinders.
 class CylinderFit {
  public:
-  CylinderFit(const TriangleMesh& mesh, const Curvatures& curvatures)
-      : mesh_(mesh), curvatures_(curvatures), seenIn_(mesh.vertexCount(), -1) {}
+  CylinderFit(const TriangleMesh& mesh, const Curvatures& curvatures, const FaceFrames& frames)
+      : mesh_(mesh), curvatures_(curvatures), frames_(frames), seenIn_(mesh.vertexCount(), -1),
+        offCircle_(mesh.vertexCount()) {}
 
-  /// Fits a cylinder to the faces of a patch; returns whether it is one.
-  bool operator()(CylinderPatch& patch) { return findAxis(patch) && findCircle(patch); }
+  /// Fits a cylinder to the faces of a patch; returns whether it is one. Faces that are off it are dropped, as are flat
+  /// ones beside a fillet, whose curvature is estimated from both, and it is tried again.
+  bool operator()(CylinderPatch& patch) {
+    const std::size_t whole = patch.faces.size();
+    const std::size_t least = std::max(kLeastFaces, static_cast<std::size_t>(kLeastShare * whole));
+    while (patch.faces.size() >= least) {
+      const bool isStraight = findAxis(patch);
+      if (isStraight && !findCircle(patch)) return false;
+      const auto isOff = [&](Index f) {
+        return isStraight ? !isRadial(patch, f) || isOffCircle(patch, f) : isAskew(patch, f);
+      };
+      if (std::erase_if(patch.faces, isOff) == 0) return isStraight && isBent(patch);
+    }
+    return false;
+  }
 
  private:
   bool findAxis(CylinderPatch& patch) const {
     Mat3 axes = Mat3::Zero(), normals = Mat3::Zero();
     double area = 0;
     for (const Index f : patch.faces) {
-      const Vec3 a = at(f, 0), vector = (at(f, 1) - a).cross(at(f, 2) - a), normal = vector.stableNormalized();
-      const double weight = vector.norm();
-      const Vec3 along = normal.cross(curvatures_.direction.row(f).transpose());
+      const Vec3 normal = frames_.normals.row(f).transpose(), along = frames_.axes.row(f).transpose();
+      const Vec3 a = at(f, 0);
+      const double weight = (at(f, 1) - a).cross(at(f, 2) - a).norm();
       axes += weight * along * along.transpose();
       normals += weight * normal * normal.transpose();
       area += weight;
@@ -75,7 +109,39 @@ class CylinderFit {
     return patch.axis.dot(normals * patch.axis) <= kMostTilt * kMostTilt * area;
   }
 
-  /// Finds the circle around the axis that minimizes Σ (|p − c|² − r²)² over the vertices.
+  /// Whether the normals go over 30° or more and the radius is that of the curvature, within a factor of 2: anything
+  /// smooth has pieces that fit a cylinder otherwise.
+  bool isBent(const CylinderPatch& patch) const {
+    Vec3 sum = Vec3::Zero();
+    double curvature = 0;
+    for (const Index f : patch.faces) {
+      sum += frames_.normals.row(f).transpose();
+      curvature += curvatures_.strongest(f);
+    }
+    const double count = static_cast<double>(patch.faces.size()), turns = curvature / count * patch.radius;
+    return sum.norm() <= kMostUnited * count && turns > 0.5 && turns < 2;
+  }
+
+  bool isAskew(const CylinderPatch& patch, Index f) const {
+    return std::abs(frames_.normals.row(f).dot(patch.axis)) > kMostTilt;
+  }
+
+  /// Whether a face looks to the axis or away from it, within 20°.
+  bool isRadial(const CylinderPatch& patch, Index f) const {
+    const Vec3 offset = (at(f, 0) + at(f, 1) + at(f, 2)) / 3 - patch.point;
+    const Vec3 radial = offset - offset.dot(patch.axis) * patch.axis;
+    return std::abs(frames_.normals.row(f).dot(radial)) >= kLeastRadial * radial.norm();
+  }
+
+  bool isOffCircle(const CylinderPatch& patch, Index f) const {
+    for (int k = 0; k < 3; ++k) {
+      if (offCircle_[mesh_.triangles(f, k)] > kMostDeviation * patch.radius) return true;
+    }
+    return false;
+  }
+
+  /// Finds the circle around the axis that minimizes Σ (|p − c|² − r²)² over the vertices, and how far they are off it;
+  /// false where they are on a line.
   bool findCircle(CylinderPatch& patch) {
     const Vec3 u = patch.axis.unitOrthogonal(), v = patch.axis.cross(u);
     const Vec3 middle = collectVertices(patch);
@@ -94,24 +160,24 @@ class CylinderFit {
     const Eigen::Vector2d center = spread.inverse() * moment;
     patch.point = middle + center[0] * u + center[1] * v;
     patch.radius = std::sqrt(squares / count + center.squaredNorm());
-    deviations_.clear();
-    for (const Vec3& offset : offsets_) {
-      deviations_.push_back(std::abs((offset.head<2>() - center).norm() - patch.radius));
+    for (std::size_t i = 0; i < offsets_.size(); ++i) {
+      offCircle_[vertices_[i]] = std::abs((offsets_[i].head<2>() - center).norm() - patch.radius);
     }
-    const auto within = deviations_.begin() + (static_cast<std::ptrdiff_t>(std::ceil(kShareWithin * count)) - 1);
-    std::nth_element(deviations_.begin(), within, deviations_.end());
-    return *within <= kMostDeviation * patch.radius;
+    return true;
   }
 
   /// Puts the patch's vertices, as offsets from their mean, into `offsets_`; returns the mean.
   Vec3 collectVertices(const CylinderPatch& patch) {
     offsets_.clear();
+    vertices_.clear();
+    ++fits_;
     Vec3 sum = Vec3::Zero();
     for (const Index f : patch.faces) {
       for (int k = 0; k < 3; ++k) {
         Index& seenIn = seenIn_[mesh_.triangles(f, k)];
-        if (seenIn == patch.faces[0]) continue;
-        seenIn = patch.faces[0];
+        if (seenIn == fits_) continue;
+        seenIn = fits_;
+        vertices_.push_back(mesh_.triangles(f, k));
         offsets_.push_back(at(f, k));
         sum += offsets_.back();
       }
@@ -125,9 +191,12 @@ class CylinderFit {
 
   const TriangleMesh& mesh_;
   const Curvatures& curvatures_;
-  std::vector<Index> seenIn_;  // #V, first face of the patch that a vertex was in last
+  const FaceFrames& frames_;
+  Index fits_ = 0;
+  std::vector<Index> seenIn_;  // #V, the fit that a vertex was in last
+  std::vector<Index> vertices_;
   std::vector<Vec3> offsets_;
-  std::vector<double> deviations_;
+  Scalars offCircle_;  // #V, deviation in the last fit
 };
 
 /// How far apart displacements get across an axis: widths in eight directions, which find 98 % of it.
@@ -173,8 +242,9 @@ bool areOneWall(const CylinderPatch& a, const CylinderPatch& b) {
 std::vector<CylinderPatch> cylinderPatches(const TriangleMesh& mesh, const std::vector<FacePair>& pairs,
                                            const std::vector<bool>& features, const Curvatures& curvatures) {
   std::vector<CylinderPatch> patches;
-  CylinderFit fit(mesh, curvatures);
-  for (std::vector<Index>& faces : roundPieces(pairs, features, curvatures)) {
+  const FaceFrames frames(mesh, curvatures);
+  CylinderFit fit(mesh, curvatures, frames);
+  for (std::vector<Index>& faces : roundPieces(pairs, features, curvatures, frames.axes)) {
     if (faces.size() < kLeastFaces) continue;
     CylinderPatch patch{std::move(faces), Vec3::Zero(), Vec3::Zero(), 0};
     if (fit(patch)) patches.push_back(std::move(patch));
