@@ -2,7 +2,7 @@ import { add, distance, row, scale, subtract, type Vec3 } from '../../src/mesh/v
 import type { Handles } from '../../src/methods/values/handles.ts';
 import { part, type Rotation, type Shape, turnedPoint } from './shape.ts';
 
-/** One part is held and another moves away from it: its distance is multiplied. */
+/** One part is held and another moves away from it along an axis of the shape: their distance is multiplied. */
 export interface Stretching {
   readonly held: string;
   readonly moved: string;
@@ -18,7 +18,7 @@ export function stretched(shape: Shape, { held, moved, factor, points = false }:
     readonly number[],
   ];
   const [from, to] = [still, moving].map((vertices) => middleOf(shape, vertices)) as [Vec3, Vec3];
-  const way = scale(subtract(to, from), factor - 1);
+  const way = scale(along(subtract(to, from)), factor - 1);
   const taken = (vertices: readonly number[]) => (points ? [nearest(shape, vertices)] : vertices);
   return together(movedBy(shape, taken(still), [0, 0, 0]), movedBy(shape, taken(moving), way));
 }
@@ -26,6 +26,12 @@ export function stretched(shape: Shape, { held, moved, factor, points = false }:
 /** Vertices that all move the same way. */
 export function movedBy({ positions }: Shape, vertices: readonly number[], way: Vec3): Handles {
   return { vertices, targets: vertices.map((v) => add(row(positions, v), way)) };
+}
+
+/** The axis part of a vector that is its longest. */
+function along(vector: Vec3): Vec3 {
+  const most = Math.max(...vector.map(Math.abs));
+  return vector.map((x) => (Math.abs(x) === most ? x : 0)) as unknown as Vec3;
 }
 
 /** The handles of a gesture with its shape turned. */
