@@ -164,3 +164,76 @@ TEST_CASE("a run that goes on from the gesture before ends near the one from res
   session.copyPositions(warm.data());
   CHECK((warm - whole.run().positions).rowwise().norm().maxCoeff() < 0.01 * std::hypot(2.83, kHeight));
 }
+
+TEST_CASE("a wall that is pulled across stays as thick as it is") {
+  // An L: an upright of seven cubes, and six more lying at its foot.
+  Reshaping reshaping{blocks({{0, 0, 0},
+                              {0, 1, 0},
+                              {0, 2, 0},
+                              {0, 3, 0},
+                              {0, 4, 0},
+                              {0, 5, 0},
+                              {0, 6, 0},
+                              {1, 0, 0},
+                              {2, 0, 0},
+                              {3, 0, 0},
+                              {4, 0, 0},
+                              {5, 0, 0},
+                              {6, 0, 0}},
+                             4),
+                      {}};
+  const double length = reshaping.mesh.positions.col(0).maxCoeff();
+  const auto isEnd = [=](const Vec3& p) { return p.x() < 1e-9 || p.x() > length - 1e-9; };
+  reshaping.handles = handlesOn(
+      reshaping.mesh, isEnd, [=](const Vec3& p) -> Vec3 { return p + (p.x() > 1 ? 0.6 * length : 0) * Vec3::UnitX(); });
+  const auto thickness = [&](const Points& positions) {
+    double sum = 0, count = 0;
+    for (Index v = 0; v < positions.rows(); ++v) {
+      const Eigen::RowVector3d rest = reshaping.mesh.positions.row(v);
+      if (std::abs(rest.x() - 1) > 1e-9 || rest.y() < 2) continue;
+      sum += positions(v, 0), ++count;
+    }
+    return sum / count;
+  };
+  CHECK(thickness(reshaping.run().positions) == doctest::Approx(1).epsilon(0.02));
+  reshaping.reading = "published";
+  CHECK(thickness(reshaping.run().positions) > 1.2);
+}
+
+TEST_CASE("half a bar is held and its end pulled: handles are met") {
+  Reshaping reshaping{longBox(24, 6), {}};
+  const double length = reshaping.mesh.positions.col(0).maxCoeff(), low = reshaping.mesh.positions.col(0).minCoeff();
+  const double middle = (length + low) / 2;
+  const auto isHeld = [=](const Vec3& p) { return p.x() < middle || p.x() > length - 1e-9; };
+  reshaping.handles = handlesOn(reshaping.mesh, isHeld, [=](const Vec3& p) -> Vec3 {
+    return p + (p.x() > middle ? 0.6 * (length - low) : 0) * Vec3::UnitX();
+  });
+  const Run run = reshaping.run();
+  for (std::size_t h = 0; h < reshaping.handles.vertices.size(); ++h) {
+    const double missed =
+        (run.positions.row(reshaping.handles.vertices[h]) - reshaping.handles.targets.row(static_cast<Index>(h)))
+            .norm();
+    CHECK(missed < 0.002 * (length - low));
+  }
+}
+
+TEST_CASE("what cannot be is refused, and what is far away is a mistake") {
+  Reshaping inside = pulledCylinder(true, -1);
+  Session session;
+  REQUIRE(session.load(inside.mesh).ok());
+  REQUIRE(session.select("reshape").ok());
+  REQUIRE(session.set("handles", encoded(inside.handles)).ok());
+  REQUIRE(session.prepare().ok());
+  StepReport report;
+  Status status;
+  while (status.ok() && (report.outcome == Outcome::running || report.outcome == Outcome::midway))
+    status = session.step(report);
+  CHECK(status.code == Code::badHandles);
+  CHECK(status.message.find("inside out") != std::string::npos);
+
+  inside.handles.targets(3, 0) = 1e9;
+  REQUIRE(session.set("handles", encoded(inside.handles)).ok());
+  status = session.prepare();
+  CHECK(status.code == Code::badHandles);
+  CHECK(status.element.index == inside.handles.vertices[3]);
+}

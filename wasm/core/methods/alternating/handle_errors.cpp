@@ -141,6 +141,7 @@ std::vector<PointRow> rowsOf(const Patch& patch, const FaceRings& rings, const s
   std::vector<PointRow> result;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     PointRow row = rows[r];
+    row.halfEdges = {-1, -1};  // lengths stay
     bool isInside = true;
     for (Index& v : std::span(row.vertices).first(row.count)) {
       v = patch.placeOf[v];

@@ -15,6 +15,8 @@ namespace {
 constexpr double kStraightOn = 0.25;
 /// Rounding of a target that is where its vertex is.
 constexpr double kNoMove = 1e-9;
+/// Targets farther away than so many times the longest side are a mistake.
+constexpr double kFarthest = 1e3;
 /// How many times the gesture before may be taken.
 constexpr double kMostTimes = 3;
 
@@ -34,6 +36,14 @@ ChoiceKind<Variant> variants() {
 }  // namespace
 
 Status Reshape::check(const ReshapeParameters& values) const {
+  for (Index h = 0; h < values.handles.targets.rows(); ++h) {
+    if (values.handles.targets.row(h).norm() < kFarthest) continue;
+    return Status::failure(
+        Code::badHandles,
+        "the target of vertex {} is more than a thousand times as far away as the shape is long; are "
+        "its units those of the file?",
+        Element::vertex(values.handles.vertices[h]));
+  }
   for (const VertexChains* chains : {&values.features, &values.smooth, &values.straight}) {
     for (const std::vector<Index>& chain : *chains) {
       if (chain.size() < 2) return Status::failure(Code::badParameter, "a line needs two vertices at least");
@@ -110,9 +120,10 @@ std::vector<PointRow> Reshape::otherRows(const ReshapeParameters& values, const 
     addScaffoldRows(working_.scaffold(), positions, rows);
   }
   if (values.variant != Variant::poisson) {
-    addStraightRows(working_.structure().straightChains, Straightness::asAtRest, positions, rows);
-    addStraightRows(chainsAlong(values.straight, rest_->positions, working_.surface()), Straightness::straight,
-                    positions, rows);
+    const bool isAcross = values.reading == Reading::tuned;
+    const RestSurface& surface = working_.surface();
+    addStraightRows(working_.structure().straightChains, {.asAtRest = true, .isAcross = isAcross}, surface, rows);
+    addStraightRows(chainsAlong(values.straight, rest_->positions, surface), {.isAcross = isAcross}, surface, rows);
   }
   if (keepsWalls(values)) addWallRows(working_.structure().walls, keptWalls_, working_.surface(), rows);
   addPins(working_.surface(), handles, rows);

@@ -54,7 +54,10 @@ EdgeGoals restGoals(const RestSurface& surface) {
 
 double rowEnergy(const std::vector<PointRow>& rows, const Points& positions) {
   double energy = 0;
-  for (const PointRow& row : rows) energy += row.stiffness * row.residual(positions).squaredNorm();
+  for (const PointRow& row : rows) {
+    const Vec3 residual = row.residual(positions);
+    energy += row.stiffness * residual.dot(row.metric() * residual);
+  }
   return energy;
 }
 

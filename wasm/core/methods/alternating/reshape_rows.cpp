@@ -1,16 +1,31 @@
 #include "methods/alternating/reshape_rows.h"
 
+#include <algorithm>
+
 #include "mesh/disjoint_sets.h"
 
 namespace whittle {
 
 namespace {
 
-constexpr double kHandles = 1e5;    // w_constr
-constexpr double kStraight = 1e5;   // w_straight
+constexpr double kHandles = 1e5;   // w_constr
+constexpr double kStraight = 1e5;  // w_straight
+/// Of rows that count across a line only: they are stiff one way and not the other, which costs iterations, and lines
+/// bend no more with this than with more.
+constexpr double kStraightAcross = 30;
 constexpr double kScaffold = 1e-2;  // w_edge
+/// Parts farther from each other than this, in the unit frame, have nothing to do with each other.
+constexpr double kFarApart = 10;
 /// Of ties between parts that touch, against the 1 / l̄² that an edge of mean length has.
 constexpr double kTies = 1e3;
+
+/// A half edge along the edge between two vertices, or −1.
+Index halfEdgeBetween(const RestSurface& surface, Index v, Index w) {
+  const std::array<Index, 2> ends = {std::min(v, w), std::max(v, w)};
+  const auto& all = surface.edges.ends;
+  const auto found = std::lower_bound(all.begin(), all.end(), ends);
+  return found != all.end() && *found == ends ? surface.edges.halfEdges[surface.edges.start[found - all.begin()]] : -1;
+}
 
 }  // namespace
 
@@ -29,8 +44,9 @@ PointRow handleRow(const TriangleMesh& input, const DerivedMesh& working, const 
   return row;
 }
 
-void addStraightRows(const VertexChains& chains, Straightness straightness, const Points& rest,
+void addStraightRows(const VertexChains& chains, const Straightness& straightness, const RestSurface& surface,
                      std::vector<PointRow>& rows) {
+  const Points& rest = surface.mesh.positions;
   for (const std::vector<Index>& chain : chains) {
     for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
       const double before = (rest.row(chain[i]) - rest.row(chain[i - 1])).norm();
@@ -38,10 +54,17 @@ void addStraightRows(const VertexChains& chains, Straightness straightness, cons
       if (before == 0 || after == 0) continue;
       PointRow row;
       row.stiffness = kStraight;
-      row.add(chain[i + 1], 1 / after);
-      row.add(chain[i], -1 / after - 1 / before);
-      row.add(chain[i - 1], 1 / before);
-      if (straightness == Straightness::asAtRest) row.target = row.residual(rest);
+      for (const Index v : {chain[i + 1], chain[i], chain[i - 1]}) row.add(v, 0);
+      row.setLineLengths(after, before);
+      if (straightness.isAcross) {
+        row.stiffness = kStraightAcross;
+        row.counts = PointRow::Counts::across;
+        row.direction = (rest.row(chain[i + 1]) - rest.row(chain[i - 1])).transpose().stableNormalized();
+      }
+      if (straightness.asAtRest) row.target = row.residual(rest);
+      const Index next = halfEdgeBetween(surface, chain[i], chain[i + 1]);
+      const Index last = halfEdgeBetween(surface, chain[i - 1], chain[i]);
+      if (next >= 0 && last >= 0) row.halfEdges = {next, last};
       rows.push_back(row);
     }
   }
@@ -61,6 +84,7 @@ void addAttachmentRows(const std::vector<Attachment>& attachments, const Points&
 
 void addScaffoldRows(const Scaffold& scaffold, const Points& rest, std::vector<PointRow>& rows) {
   for (const auto& [first, second, length] : scaffold.betweenParts) {
+    if (length > kFarApart) continue;
     PointRow row;
     row.stiffness = kScaffold / (length * length);
     row.add(first, -1);

@@ -12,10 +12,16 @@ namespace whittle {
 /// target, its residual at rest is how far off the working mesh the vertex lies.
 PointRow handleRow(const TriangleMesh& input, const DerivedMesh& working, const Transfer& transfer, Index vertex);
 
-/// Rows that keep chains straight (Eq. 22), or as straight as they are: what is found may bend by 2° at rest, and must not
-/// jump as soon as something moves. Vertices are those of the working mesh.
-enum class Straightness { straight, asAtRest };
-void addStraightRows(const VertexChains& chains, Straightness straightness, const Points& rest,
+/// How chains are kept straight. What is found may bend by 2° at rest, and must not jump as soon as something moves.
+struct Straightness {
+  bool asAtRest = false;  // as straight as they are, and not straighter
+  /// Whether only what is across a chain counts (Eq. 22 counts all). All holds each chain to an even stretch over its
+  /// whole length: half a bar could not be held while its end is pulled.
+  bool isAcross = true;
+};
+
+/// Rows that keep chains of the working mesh's vertices straight.
+void addStraightRows(const VertexChains& chains, const Straightness& straightness, const RestSurface& surface,
                      std::vector<PointRow>& rows);
 /// Rows that keep parts that touch in touch.
 void addAttachmentRows(const std::vector<Attachment>& attachments, const Points& rest, std::vector<PointRow>& rows);

@@ -15,7 +15,7 @@ constexpr double kMissed = 0.005;
 /// More folded faces than this share are no result.
 constexpr double kMostFlipped = 0.01;
 /// What of the diagonal nobody sees, out of faces and along them.
-constexpr double kUnseenMove = 3e-4, kUnseenSlide = 1e-3;
+constexpr double kUnseenMove = 1e-4, kUnseenSlide = 5e-4;
 
 std::vector<PointRow> joined(const RunRows& rows) {
   std::vector<PointRow> all = rows.handles;
@@ -103,7 +103,7 @@ void ReshapeRun::limit(bool finalize, int maxIterations) {
 AlternationLimits ReshapeRun::limits() const {
   AlternationLimits limits;
   limits.iterations = maxIterations_;
-  if (settings_.reading == Reading::tuned) {
+  if (settings_.reading == Reading::tuned && settings_.variant == Variant::slippage) {
     limits.unseenMove = kUnseenMove * settings_.diagonal;
     limits.unseenSlide = kUnseenSlide * settings_.diagonal;
   }

@@ -48,7 +48,11 @@ void setTerms(const ReshapeTerms& terms, const Structure& structure, const std::
   if (!terms.keepsRadii) return;
   for (std::size_t p = 0; p < structure.patches.size(); ++p) {
     if (!keptPatches[p]) continue;
-    for (const Index f : structure.patches[p].faces) surface.keptDirections.row(f) = curvatures.direction.row(f);
+    const CylinderPatch& patch = structure.patches[p];
+    for (const Index f : patch.faces) {
+      const Vec3 normal = surface.faceNormals.row(f).transpose();
+      surface.keptDirections.row(f) = patch.axis.cross(normal).stableNormalized().transpose();
+    }
   }
 }
 

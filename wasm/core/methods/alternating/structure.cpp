@@ -1,5 +1,7 @@
 #include "methods/alternating/structure.h"
 
+#include "methods/alternating/bevels.h"
+
 namespace whittle {
 
 namespace {
@@ -34,6 +36,7 @@ double StructureSearch::next() {
   result_.walls = walls_.take();
   result_.curvatures = estimate_.take();
   result_.patches = cylinderPatches(surface_.mesh, surface_.pairs, result_.features, result_.curvatures);
+  for (CylinderPatch& bevel : bevels(surface_.mesh, surface_.pairs)) result_.patches.push_back(std::move(bevel));
   result_.straightChains = straightChains(surface_.mesh.positions, surface_.edges, result_.features);
   return 1;
 }

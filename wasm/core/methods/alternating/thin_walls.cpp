@@ -139,6 +139,8 @@ void addWallRows(const ThinWalls& walls, const std::vector<bool>& kept, const Re
       row.add(triangles(tie.face, k), 1.0 / 3);
       row.add(triangles(tie.behind, k), -tie.weights[k]);
     }
+    row.counts = PointRow::Counts::along;
+    row.direction = surface.faceNormals.row(tie.face).transpose();
     row.target = row.residual(surface.mesh.positions);
     rows.push_back(row);
   }

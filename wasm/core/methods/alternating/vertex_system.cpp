@@ -40,17 +40,20 @@ void VertexSystem::shape(const RestSurface& surface, const EnergyWeights& weight
   for (Index f = 0; f < surface.faceCount(); ++f) {
     if (surface.sphericity[f] > 0) addSphericity(f);
   }
-  addRows();
+  for (const PointRow& row : rows_) {
+    if (!row.isOfLine()) addRow(row, diagonal_, couplings_);
+  }
   rhs_.resize(surface.vertexCount(), 3);
 }
 
-void VertexSystem::add(Index v, Index w, const Mat3& block) {
+void VertexSystem::add(Index v, Index w, const Mat3& block, std::vector<Mat3>& diagonal,
+                       std::vector<Mat3>& couplings) const {
   if (v == w) {
-    diagonal_[v] += block + block.transpose();
+    diagonal[v] += block + block.transpose();
   } else if (v > w) {
-    couplings_[system_.findPair(w, v)] += block;
+    couplings[system_.findPair(w, v)] += block;
   } else {
-    couplings_[system_.findPair(v, w)] += block.transpose();
+    couplings[system_.findPair(v, w)] += block.transpose();
   }
 }
 
@@ -62,19 +65,28 @@ void VertexSystem::addSphericity(Index face) {
     for (int a = 0; a < 3; ++a) {
       const Mat3 weighted = surface_->sphericity[face] * factors[a].transpose();
       diagonal_[triangles(face, a)] += weighted * factors[a];
-      for (int b = 0; b < a; ++b) add(triangles(face, a), triangles(face, b), weighted * factors[b]);
+      for (int b = 0; b < a; ++b)
+        add(triangles(face, a), triangles(face, b), weighted * factors[b], diagonal_, couplings_);
     }
   }
 }
 
-void VertexSystem::addRows() {
-  for (const PointRow& row : rows_) {
-    for (int i = 0; i < row.count; ++i) {
-      const double weight = row.stiffness * row.coefficients[i];
-      diagonal_[row.vertices[i]] += weight * row.coefficients[i] * Mat3::Identity();
-      for (int j = 0; j < i; ++j)
-        add(row.vertices[i], row.vertices[j], weight * row.coefficients[j] * Mat3::Identity());
+void VertexSystem::addRow(const PointRow& row, std::vector<Mat3>& diagonal, std::vector<Mat3>& couplings) const {
+  const Mat3 metric = row.stiffness * row.metric();
+  for (int i = 0; i < row.count; ++i) {
+    diagonal[row.vertices[i]] += row.coefficients[i] * row.coefficients[i] * metric;
+    for (int j = 0; j < i; ++j) {
+      add(row.vertices[i], row.vertices[j], row.coefficients[i] * row.coefficients[j] * metric, diagonal, couplings);
     }
+  }
+}
+
+/// Lines get the present lengths of their edges.
+void VertexSystem::addLines(const EdgeGoals& goals) {
+  for (PointRow& row : rows_) {
+    if (!row.isOfLine()) continue;
+    row.setLineLengths(goals.targetLengths[row.halfEdges[0]], goals.targetLengths[row.halfEdges[1]]);
+    addRow(row, system_.diagonal(), system_.couplings());
   }
 }
 
@@ -94,6 +106,7 @@ void VertexSystem::addEdge(Index edge, const Mat3& K) {
 void VertexSystem::assemble(const EdgeGoals& goals, const Transformations& transformations) {
   const RestSurface& surface = *surface_;
   restart();
+  addLines(goals);
   for (Index e = 0; e < surface.edges.count(); ++e) {
     const Index first = surface.edges.halfEdges[surface.edges.start[e]];
     const double scale = weights_.scale / surface.averageLength;
@@ -135,8 +148,8 @@ void VertexSystem::assemblePoisson() {
 
 void VertexSystem::addTargets() {
   for (const PointRow& row : rows_) {
-    for (int i = 0; i < row.count; ++i)
-      rhs_.row(row.vertices[i]) += row.stiffness * row.coefficients[i] * row.target.transpose();
+    const Eigen::RowVector3d pull = (row.stiffness * row.metric() * row.target).transpose();
+    for (int i = 0; i < row.count; ++i) rhs_.row(row.vertices[i]) += row.coefficients[i] * pull;
   }
 }
 

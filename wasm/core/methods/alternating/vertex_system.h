@@ -35,11 +35,12 @@ class VertexSystem {
 
  private:
   void addSphericity(Index face);
-  void addRows();
+  void addRow(const PointRow& row, std::vector<Mat3>& diagonal, std::vector<Mat3>& couplings) const;
+  void addLines(const EdgeGoals& goals);
   void addTargets();
   void restart();
-  /// Adds to the constants the block of rows of vertex v and columns of w, and its transpose for w and v.
-  void add(Index v, Index w, const Mat3& block);
+  /// Adds the block of rows of vertex v and columns of w, and its transpose for w and v, to values by node and by pair.
+  void add(Index v, Index w, const Mat3& block, std::vector<Mat3>& diagonal, std::vector<Mat3>& couplings) const;
   /// Adds K (e·e) of an edge to the present values.
   void addEdge(Index edge, const Mat3& K);
 
