@@ -1,9 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { duration, markdownTable, median, percent, quantile, times, withSpread } from './numbers.ts';
-import { comparedMethods, methods, parseOptions, sizes } from './options.ts';
-import { type Descent, type Measurement, meshOf, type Timing } from './program.ts';
+import { comparedMethods, faceCounts, methods, parseOptions, sizes } from './options.ts';
+import { type Descent, type Measurement, meshOf, type Reshaping, type Timing } from './program.ts';
 import { report } from './report.ts';
 import { reportAlone } from './report-alone.ts';
+import { reportReshaping } from './report-reshape.ts';
 
 describe('numbers of the benchmark', () => {
   test('quantiles lie between the values', () => {
@@ -38,9 +39,15 @@ describe('numbers of the benchmark', () => {
 
 describe('arguments of the benchmark', () => {
   test('choose methods and sizes', () => {
-    expect(parseOptions([])).toEqual({ methods, sizes, write: false });
-    expect(parseOptions(['--quick', '--write'])).toEqual({ methods, sizes: [2562, 22046], write: true });
-    expect(parseOptions(['cubic', '22046'])).toEqual({ methods: ['cubic'], sizes: [22046], write: false });
+    expect(parseOptions([])).toEqual({ methods, sizes, faceCounts, write: false });
+    expect(parseOptions(['--quick', '--write'])).toEqual({
+      methods,
+      sizes: [2562, 22046],
+      faceCounts: [2000, 8500, 22000],
+      write: true,
+    });
+    expect(parseOptions(['cubic', '22046'])).toMatchObject({ methods: ['cubic'], sizes: [22046] });
+    expect(parseOptions(['reshape', '8500'])).toMatchObject({ methods: ['reshape'], faceCounts: [8500] });
   });
 
   test('a reference is timed on few sizes unless some are named', () => {
@@ -149,4 +156,42 @@ test('of a method without a plain path the report has its own times, and how far
   const rowOf = (build: string) => lines.find((line) => line.split('|')[2]?.trim() === build)!;
   expect(rowOf('native')).toMatch(/200 +\| 40 in 200 ms +\| 0.5000 → 0.2500 +\| 5 MB, 2.00 KB/);
   expect(rowOf('wasm')).toMatch(/40 in 200 ms \(time was up\).*\| 1.20 +\| 1.0e-3/);
+});
+
+describe('report of reshaping', () => {
+  const run = { name: 'plate', faces: 8400, ready: 100, first: 150, final: 700, iterations: 6 };
+  const wasm: Reshaping = {
+    compiler: 'a compiler',
+    cold: { ...run, final: 900 },
+    memory: 8400 * 4096,
+    runs: [run, { ...run, name: 'ball', final: 2600 }, { ...run, name: 'bracket', final: 600 }],
+    compared: {
+      iteration: { ours: 50, plain: 1500, ratio: 30 },
+      plainIterations: 5,
+      plainTime: 7500,
+      plainFinished: 0,
+    },
+    solvers: {
+      direct: { prepare: 340, solve: 14 },
+      gradients: { prepare: 8, solve: 23 },
+      blocks: { prepare: 14, solve: 12, iterations: 7 },
+      means: { prepare: 4, solve: 3 },
+    },
+  };
+
+  test('says which bars are met, and how the plain path does', () => {
+    const text = reportReshaping([{ native: wasm, wasm }]);
+    expect(text).toMatch(/median to the final result \| ≤ 800 ms \| 700 ms +\| yes/);
+    expect(text).toMatch(/8\.5K faces, worst +\| ≤ 2\.5 s +\| 2\.6 s +\| no/);
+    expect(text).toMatch(/8400 +\| wasm +\| 50 ms +\| 1\.5 s +\| 30× +\| 5 in 7\.5 s \(time was up\)/);
+    expect(text).toContain('33 MB, 4.00 KB');
+    expect(text).not.toContain('84K');
+  });
+
+  test('leaves out what large meshes do not have', () => {
+    const { compared: _, solvers: __, ...large } = { ...wasm, cold: { ...run, faces: 84_400 } };
+    const text = reportReshaping([{ native: large, wasm: large }]);
+    expect(text).toContain('84K faces, first picture');
+    expect(text).not.toContain('plain Eigen');
+  });
 });

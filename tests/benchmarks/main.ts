@@ -2,9 +2,10 @@ import { writeFileSync } from 'node:fs';
 import { benchmarkAgainst } from './against.ts';
 import { tabulateAngles } from './angle-table.ts';
 import { isCompared, parseOptions } from './options.ts';
-import { measure } from './program.ts';
+import { measure, measureReshaping } from './program.ts';
 import { describeMachine, report } from './report.ts';
 import { reportAlone } from './report-alone.ts';
+import { reportReshaping } from './report-reshape.ts';
 
 const resultsFile = 'docs/benchmarks.md';
 
@@ -22,13 +23,17 @@ export async function benchmark(args: readonly string[]): Promise<void> {
   const sections: string[] = [];
   for (const method of options.methods) {
     const announce = <T>(size: T): T => {
-      console.error(`${method}, ${size} vertices …`);
+      console.error(`${method}, ${size} ${method === 'reshape' ? 'faces' : 'vertices'} …`);
       return size;
     };
     if (isCompared(method)) {
       const measurements = options.sizes.map((size) => measure(method, announce(size)));
       if (sections.length === 0) sections.push(describeMachine(measurements[0]!));
       sections.push(report(method, measurements));
+    } else if (method === 'reshape') {
+      const reshapings = options.faceCounts.map((count) => measureReshaping(announce(count)));
+      if (sections.length === 0) sections.push(describeMachine(reshapings[0]!));
+      sections.push(reportReshaping(reshapings));
     } else {
       const timings = options.sizes.map((size) => measure(method, announce(size)));
       if (sections.length === 0) sections.push(describeMachine(timings[0]!));

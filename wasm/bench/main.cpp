@@ -4,40 +4,18 @@
 // usage: whittle-bench METHOD MESH SECONDS
 //
 // METHOD is one that `readProblem` has a problem for. MESH is a file as it wants it. SECONDS bounds the long run of the
-// core; that of the reference, where there is one, gets twice as many.
-
-#ifndef __EMSCRIPTEN__
-#include <sys/resource.h>
-#endif
+// core; that of the reference, where there is one, gets twice as many. Or METHOD is `reshape`, which has shapes of its
+// own: MESH is then about how many faces they are to have, and SECONDS bounds the run of the reference.
 
 #include "bench/alone.h"
 #include "bench/descent.h"
 #include "bench/phases.h"
+#include "bench/reshape_runs.h"
 
 using namespace whittle;
 using namespace whittle::bench;
 
 namespace {
-
-/// The most memory so far: pages of the wasm memory, which never shrinks, or the process's resident set.
-double peakMemory() {
-#ifdef __EMSCRIPTEN__
-  return 65536.0 * __builtin_wasm_memory_size(0);
-#else
-  // Where the system tells it: what `getrusage` says begins with the size of the process that started this one.
-  if (std::FILE* status = std::fopen("/proc/self/status", "r")) {
-    char line[256];
-    double kilobytes = 0;
-    while (std::fgets(line, sizeof line, status) && std::sscanf(line, "VmHWM: %lf", &kilobytes) != 1) {
-    }
-    std::fclose(status);
-    if (kilobytes > 0) return 1024 * kilobytes;
-  }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * usage.ru_maxrss;
-#endif
-}
 
 #ifdef __clang__
 constexpr const char* kCompiler = __VERSION__;
@@ -92,6 +70,11 @@ void compare(const Problem& problem, double seconds, Json& result) {
 
 int main(int argc, char** argv) {
   const std::string method = argc == 4 ? argv[1] : "";
+  if (method == "reshape") {
+    const Json result = measureReshape(std::atoi(argv[2]), std::atof(argv[3]));
+    std::printf("%s\n", Json(result).add("compiler", std::string(kCompiler)).text().c_str());
+    return 0;
+  }
   const auto& names = problemNames();
   if (std::find(names.begin(), names.end(), method) == names.end()) {
     require(Status::failure(Code::badParameter, "usage: whittle-bench METHOD MESH SECONDS"));

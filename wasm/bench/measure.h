@@ -12,6 +12,9 @@
 
 namespace whittle::bench {
 
+/// The most memory so far, in bytes: pages of the wasm memory, which never shrinks, or the process's resident set.
+double peakMemory();
+
 inline double milliseconds() {
   using namespace std::chrono;
   return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
@@ -36,6 +39,22 @@ class Samples {
 
  private:
   std::vector<double> times_;
+};
+
+/// One phase of both sides, round by round. The ratio is taken within each round: load that comes and goes meets both.
+class Comparison {
+ public:
+  void add(double ours, double plain) {
+    ours_.add(ours);
+    plain_.add(plain);
+    if (ours > 0) ratio_.add(plain / ours);
+  }
+  Json json() const {
+    return Json().add("ours", ours_.median()).add("plain", plain_.median()).add("ratio", ratio_.median());
+  }
+
+ private:
+  Samples ours_, plain_, ratio_;
 };
 
 /// Ends the program with a sentence where something failed: a number that is not there is no number.

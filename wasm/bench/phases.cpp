@@ -25,22 +25,6 @@ int repeat(int most, double seconds, Round&& round) {
   return rounds;
 }
 
-/// One phase of both sides, round by round. The ratio is taken within each round: load that comes and goes meets both.
-class Comparison {
- public:
-  void add(double ours, double plain) {
-    ours_.add(ours);
-    plain_.add(plain);
-    if (ours > 0) ratio_.add(plain / ours);
-  }
-  Json json() const {
-    return Json().add("ours", ours_.median()).add("plain", plain_.median()).add("ratio", ratio_.median());
-  }
-
- private:
-  Samples ours_, plain_, ratio_;
-};
-
 Json measurePrepare(const Problem& problem, double seconds) {
   Comparison whole, order, factor;
   const int rounds = repeat(kPrepareRounds, seconds, [&] {

@@ -63,6 +63,7 @@ class PlainLeastSquares {
 
   /// The matrix; its lower triangle is what counts.
   const SparseMatrix& matrix() const { return matrix_; }
+  const Scalars& rightHandSide() const { return rhs_; }
 
  private:
   std::vector<Eigen::Triplet<double, Index>> entries_;
