@@ -27,15 +27,16 @@ class LaneGradients {
   }
 
   /// Does an iteration; returns false where rounding leaves nothing to be gained.
-  /// @param apply y = A x: apply(x, y)
+  /// @param apply y = A x: apply(x, y); returns xᵀ y
   template <typename Apply, typename Precondition>
   bool iterate(LaneRows& residual, LaneRows& correction, Apply apply, Precondition precondition) {
-    apply(direction_, image_);
-    const double curvature = dot(direction_, image_);
+    const double curvature = apply(direction_, image_);
     if (!(squared_ > 0 && curvature > 0)) return false;
-    const double step = squared_ / curvature;
-    addScaled(correction, step, direction_);
-    addScaled(residual, -step, image_);
+    const Lanes step = splat(static_cast<float>(squared_ / curvature));
+    for (std::size_t i = 0; i < direction_.size(); ++i) {
+      store(&correction[i], load(&correction[i]) + step * load(&direction_[i]));
+      store(&residual[i], load(&residual[i]) - step * load(&image_[i]));
+    }
     const double next = precondition(residual, preconditioned_);
     const Lanes share = splat(static_cast<float>(next / squared_));
     for (std::size_t i = 0; i < direction_.size(); ++i)
@@ -54,11 +55,6 @@ class LaneGradients {
   }
 
  private:
-  static void addScaled(LaneRows& y, double scale, const LaneRows& x) {
-    const Lanes s = splat(static_cast<float>(scale));
-    for (std::size_t i = 0; i < y.size(); ++i) store(&y[i], load(&y[i]) + s * load(&x[i]));
-  }
-
   LaneRows preconditioned_, direction_, image_;
   double squared_ = 0;
 };

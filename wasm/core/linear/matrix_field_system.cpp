@@ -9,33 +9,32 @@ namespace {
 /// Nodes that take part in the iterations of a slice.
 constexpr Index kSliceOfNodes = 100000;
 
-/// y = B x of a node for a block of 27 rows of lanes.
-inline void multiply(const LaneRow* block, const LaneRow* x, Lanes y[3]) {
+/// y = B x of a node for a block of 81 numbers. Each load of three of them takes the next one along, and the spare lane
+/// is cleared at the end.
+inline void multiply(const float* block, const LaneRow* x, Lanes y[3]) {
+  constexpr LaneMask kThree = {-1, -1, -1, 0};
   for (int j = 0; j < 3; ++j) y[j] = splat(0);
-  for (int k = 0; k < 3; ++k, block += 9) {
+  for (int k = 0; k < 3; ++k) {
     const float components[3] = {x[k].x, x[k].y, x[k].z};
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i, block += 9) {
       const Lanes c = loadSplat(components + i);
-      for (int j = 0; j < 3; ++j) y[j] += c * load(block + 3 * i + j);
+      for (int j = 0; j < 3; ++j) y[j] += c * load(block + 3 * j);
     }
   }
+  for (int j = 0; j < 3; ++j) y[j] = keep(kThree, y[j]);
 }
 
-void store(LaneRow* rows, const MatrixFieldSystem::Block& block) {
-  for (Index column = 0; column < 9; ++column) {
-    for (Index j = 0; j < 3; ++j) {
-      const auto entry = [&](Index i) { return static_cast<float>(block(3 * j + i, column)); };
-      rows[3 * column + j] = {entry(0), entry(1), entry(2), 0};
-    }
-  }
+void store(float* numbers, const MatrixFieldSystem::Block& block) {
+  Eigen::Map<Eigen::Matrix<float, 9, 9>> columns(numbers);
+  columns = block.cast<float>();
 }
 
 }  // namespace
 
 void MatrixFieldSystem::shape(Graph graph) {
   graph_ = std::move(graph);
-  diagonal_.assign(kBlockRows * static_cast<std::size_t>(size()), {});
-  inverse_.assign(diagonal_.size(), {});
+  diagonal_.assign(kBlockSize * static_cast<std::size_t>(size()) + 1, 0);  // the last load takes one along
+  inverse_ = diagonal_;
   couplings_.assign(graph_.neighbours.size(), {});
   gradients_.shape(3 * static_cast<std::size_t>(size()));
 }
@@ -52,8 +51,8 @@ Status MatrixFieldSystem::setDiagonal(Index node, const Block& block) {
       for (Index k = 0; k < 3; ++k) rest.block<3, 3>(3 * j, 3 * k).diagonal().array() -= sums[j][k];
     }
   }
-  store(&diagonal_[kBlockRows * static_cast<std::size_t>(node)], rest);
-  store(&inverse_[kBlockRows * static_cast<std::size_t>(node)], cholesky.solve(Block::Identity()));
+  store(&diagonal_[kBlockSize * static_cast<std::size_t>(node)], rest);
+  store(&inverse_[kBlockSize * static_cast<std::size_t>(node)], cholesky.solve(Block::Identity()));
   return {};
 }
 
@@ -62,11 +61,12 @@ void MatrixFieldSystem::setCoupling(Index place, const Mat3& P) {
   couplings_[place] = {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-void MatrixFieldSystem::apply(const MatrixRows& x, MatrixRows& y) const {
+double MatrixFieldSystem::apply(const MatrixRows& x, MatrixRows& y) const {
+  DoubleLanes dot = {0, 0, 0, 0};
   for (Index t = 0; t < size(); ++t) {
     Lanes sums[3];
     const LaneRow* const own = &x[3 * t];
-    multiply(&diagonal_[kBlockRows * static_cast<std::size_t>(t)], own, sums);
+    multiply(&diagonal_[kBlockSize * static_cast<std::size_t>(t)], own, sums);
     for (Index place = graph_.start[t]; place < graph_.start[t + 1]; ++place) {
       const Coupling& P = couplings_[place];
       const LaneRow* neighbour = &x[3 * graph_.neighbours[place]];
@@ -77,15 +77,19 @@ void MatrixFieldSystem::apply(const MatrixRows& x, MatrixRows& y) const {
       sums[1] -= a * xy + b * loadSplat(&P.yy) + c * yz;
       sums[2] -= a * xz + b * yz + c * loadSplat(&P.zz);
     }
-    for (int j = 0; j < 3; ++j) whittle::store(&y[3 * t + j], sums[j]);
+    for (int j = 0; j < 3; ++j) {
+      dot += toDouble(load(own + j) * sums[j]);
+      whittle::store(&y[3 * t + j], sums[j]);
+    }
   }
+  return sumOf(dot);
 }
 
 double MatrixFieldSystem::precondition(const MatrixRows& r, MatrixRows& z) const {
   DoubleLanes sum = {0, 0, 0, 0};
   for (Index t = 0; t < size(); ++t) {
     Lanes columns[3];
-    multiply(&inverse_[kBlockRows * static_cast<std::size_t>(t)], &r[3 * t], columns);
+    multiply(&inverse_[kBlockSize * static_cast<std::size_t>(t)], &r[3 * t], columns);
     for (int j = 0; j < 3; ++j) {
       sum += toDouble(load(&r[3 * t + j]) * columns[j]);
       whittle::store(&z[3 * t + j], columns[j]);
@@ -98,7 +102,7 @@ double MatrixFieldSystem::squaredNorm(const MatrixRows& b) const {
   double sum = 0;
   for (Index t = 0; t < size(); ++t) {
     Lanes columns[3];
-    multiply(&inverse_[kBlockRows * static_cast<std::size_t>(t)], &b[3 * t], columns);
+    multiply(&inverse_[kBlockSize * static_cast<std::size_t>(t)], &b[3 * t], columns);
     for (int j = 0; j < 3; ++j) sum += sumOf(toDouble(load(&b[3 * t + j]) * columns[j]));
   }
   return sum;
@@ -116,7 +120,7 @@ void MatrixFieldSystem::beginSolve(MatrixRows& residual, double squaredScale, co
 bool MatrixFieldSystem::solveNext() {
   for (Index work = 0; work < kSliceOfNodes && left_ > 0 && gradients_.squared() > small_; work += size(), --left_) {
     const bool isBetter = gradients_.iterate(
-        *residual_, *correction_, [this](const MatrixRows& x, MatrixRows& y) { apply(x, y); },
+        *residual_, *correction_, [this](const MatrixRows& x, MatrixRows& y) { return apply(x, y); },
         [this](const MatrixRows& r, MatrixRows& z) { return precondition(r, z); });
     if (!isBetter) left_ = 1;
   }

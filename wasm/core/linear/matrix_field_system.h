@@ -50,20 +50,20 @@ class MatrixFieldSystem {
   bool solveNext();
 
  private:
-  /// Nine columns of three rows of lanes.
-  static constexpr Index kBlockRows = 27;
+  static constexpr std::size_t kBlockSize = 81;
   struct Coupling {
     float xx, xy, xz, yy, yz, zz;
   };
 
-  void apply(const MatrixRows& x, MatrixRows& y) const;
+  /// y = A x; returns xᵀ y.
+  double apply(const MatrixRows& x, MatrixRows& y) const;
   /// z = M⁻¹ r; returns rᵀ z.
   double precondition(const MatrixRows& r, MatrixRows& z) const;
 
   Graph graph_;
-  LaneRows
-      diagonal_;  // D_t − I ⊗ Σ P of each node, column after column: couplings take what they are of X_t themselves
-  LaneRows inverse_;
+  /// D_t − I ⊗ Σ P of each node, column after column: couplings take what they are of X_t themselves.
+  std::vector<float> diagonal_;
+  std::vector<float> inverse_;       // of D_t
   std::vector<Coupling> couplings_;  // one for each place of `neighbours`
 
   // While a solve goes on

@@ -118,7 +118,8 @@ void VectorFieldSystem::toSingle() {
   }
 }
 
-void VectorFieldSystem::apply(const LaneRows& x, LaneRows& y) const {
+double VectorFieldSystem::apply(const LaneRows& x, LaneRows& y) const {
+  DoubleLanes dot = {0, 0, 0, 0};
   const LaneRow* block = blocks_.data();
   const auto product = [&block](Lanes of) {
     LaneRow row;
@@ -133,8 +134,10 @@ void VectorFieldSystem::apply(const LaneRows& x, LaneRows& y) const {
     Lanes sum = product(own);
     for (Index place = start_[v]; place < start_[v + 1]; ++place)
       sum += product(load(&x[neighbours_[place].node]) - own);
+    dot += toDouble(own * sum);
     store(&y[v], sum);
   }
+  return sumOf(dot);
 }
 
 double VectorFieldSystem::precondition(const LaneRows& r, LaneRows& z) {
@@ -177,7 +180,7 @@ Status VectorFieldSystem::improveNext(bool& isDone) {
   const double small = tolerance_ * tolerance_ * std::min(first_, scale_);
   for (Index work = 0; work < kSliceOfNodes && most_ > 0 && gradients_.squared() > small; work += size()) {
     const bool isBetter = gradients_.iterate(
-        rows_, correction_, [this](const LaneRows& x, LaneRows& y) { apply(x, y); },
+        rows_, correction_, [this](const LaneRows& x, LaneRows& y) { return apply(x, y); },
         [this](const LaneRows& r, LaneRows& z) { return precondition(r, z); });
     --most_, --left_;
     if (!isBetter) most_ = left_ = 0;

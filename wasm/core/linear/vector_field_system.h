@@ -52,7 +52,8 @@ class VectorFieldSystem {
 
   void subtractProduct(const Points& X);
   void toSingle();
-  void apply(const LaneRows& x, LaneRows& y) const;
+  /// y = A x; returns xᵀ y.
+  double apply(const LaneRows& x, LaneRows& y) const;
   double precondition(const LaneRows& r, LaneRows& z);
   void average();
   void beginDescent();
