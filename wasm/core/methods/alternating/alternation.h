@@ -1,3 +1,4 @@
+// Read first: README.md beside this, from equation to file, and wasm/reference, the same alternation in plain Eigen.
 #pragma once
 
 #include "methods/alternating/transformation_system.h"
