@@ -1,5 +1,15 @@
 import { describe, expect, test } from 'vitest';
-import { duration, markdownTable, median, percent, quantile, times, withSpread } from './numbers.ts';
+import {
+  diagonalOf,
+  duration,
+  farthest,
+  markdownTable,
+  median,
+  percent,
+  quantile,
+  times,
+  withSpread,
+} from './numbers.ts';
 import { comparedMethods, faceCounts, methods, parseOptions, sizes } from './options.ts';
 import { type Descent, type Measurement, meshOf, type Reshaping, type Timing } from './program.ts';
 import { report } from './report.ts';
@@ -13,6 +23,12 @@ describe('numbers of the benchmark', () => {
     expect(quantile([10, 20], 0.25)).toBe(12.5);
     expect(quantile([7], 0.9)).toBe(7);
     expect(withSpread([0.5, 1, 1.5, 2, 2.5])).toBe('1.50 (1.00–2.00)');
+  });
+
+  test('distances are those of the farthest point and of the corners of the box', () => {
+    const points = Float64Array.of(0, 0, 0, 3, 4, 0, 1, 1, 1);
+    expect(farthest(points, Float64Array.of(0, 0, 0, 3, 2, 0, 1, 1, 2))).toBe(2);
+    expect(diagonalOf(points)).toBe(Math.hypot(3, 4, 1));
   });
 
   test('are written for people', () => {

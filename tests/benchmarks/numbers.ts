@@ -15,6 +15,24 @@ export function withSpread(values: readonly number[]): string {
   return `${middle} (${low}–${high})`;
 }
 
+/** How far the farthest of some points (#P×3) is from where others have it. */
+export function farthest(a: Float64Array, b: Float64Array): number {
+  let most = 0;
+  for (let i = 0; i < a.length; i += 3)
+    most = Math.max(most, Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!));
+  return most;
+}
+
+/** The diagonal of the box around points, #P×3. */
+export function diagonalOf(positions: Float64Array): number {
+  const [low, high] = [new Float64Array(3).fill(Infinity), new Float64Array(3).fill(-Infinity)];
+  for (const [i, x] of positions.entries()) {
+    low[i % 3] = Math.min(low[i % 3]!, x);
+    high[i % 3] = Math.max(high[i % 3]!, x);
+  }
+  return Math.hypot(...high.map((most, axis) => most - low[axis]!));
+}
+
 /** “4.2×”, “23×”; a dash for what is no ratio. */
 export function times(ratio: number): string {
   if (!(ratio > 0 && Number.isFinite(ratio))) return '–';
