@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { CoreSession } from '../../src/engine/core-api.ts';
 import { WhittleError } from '../../src/mesh/failure.ts';
+import { row, scale } from '../../src/mesh/vectors.ts';
 import { configure, prepare, testCore } from '../fixtures/core.ts';
 import { bunny, bunnyLevel, icosphere, type TestMesh, together } from '../fixtures/meshes.ts';
 
@@ -160,5 +161,26 @@ describe('the core’s border', () => {
     prepare(session);
     session.step();
     expect(core.heapBytes() / (mesh.positions.length / 3)).toBeLessThan(1.5 * 1024);
+  });
+
+  test('memory of reshaping grows with the mesh and no faster', async () => {
+    const { loadCore } = await import('../../src/engine/core.ts');
+    const { readFileSync } = await import('node:fs');
+    const module = readFileSync('wasm/dist/whittle-core.wasm');
+    /** Bytes a face once both systems have been solved. */
+    const bytesAFace = async (mesh: TestMesh): Promise<number> => {
+      const core = await loadCore(module);
+      const session = core.open();
+      session.load(mesh.positions, mesh.triangles);
+      const [first, last] = [row(mesh.positions, 0), row(mesh.positions, 1)];
+      const handles = { vertices: [0, 1], targets: [first, scale(last, 1.3)] };
+      configure(session, mesh, 'reshape', { handles });
+      prepare(session);
+      for (let iterations = 0; iterations < 2; ) if (session.step().outcome !== 'midway') iterations++;
+      return core.heapBytes() / (mesh.triangles.length / 3);
+    };
+    const [some, many] = [await bytesAFace(icosphere(5)), await bytesAFace(icosphere(6))];
+    expect(many).toBeLessThan(1.2 * some);
+    expect(many).toBeLessThan(8 * 1024);
   });
 });
