@@ -10,7 +10,7 @@ const hopMilliseconds = 8;
 
 /** A run that is overtaken still makes so many steps, or goes on for so long: a drag shows shapes that are on their way, not first guesses. */
 const leastSteps = 4;
-const leastMilliseconds = 30;
+const leastMilliseconds = 90;
 
 /** One solve while it waits or runs. */
 export class Run {
