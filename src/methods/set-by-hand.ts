@@ -1,7 +1,9 @@
 import type { MethodDescriptor } from './descriptor.ts';
 import type { ChainsParameter } from './values/chains.ts';
 import type { ChoiceParameter } from './values/choice.ts';
-import type { ParameterDescriptor } from './values/index.ts';
+import type { Handles } from './values/handles.ts';
+import type { ParameterDescriptor, ParameterValues } from './values/index.ts';
+import type { Planes } from './values/planes.ts';
 
 /** The parameters that a person sets on the mesh itself, by what they are for. A method that has none of a kind cannot be touched so. */
 
@@ -12,6 +14,15 @@ export const handlesParameter = (method: MethodDescriptor | undefined): string |
 /** Whether its handles are whole sides rather than spots. */
 export function gripsSides(method: MethodDescriptor | undefined): boolean {
   return method?.parameters.some((one) => one.kind === 'handles' && one.grip === 'side') ?? false;
+}
+
+/** Whether a step that moves nothing but by hand has nothing in hand yet: neither handles nor planes. */
+export function isUnheld(method: MethodDescriptor | undefined, values: ParameterValues): boolean {
+  if (method?.intent !== 'move') return false;
+  const [handles, planes] = [handlesParameter(method), planesParameter(method)].map(
+    (name) => name && values[name],
+  );
+  return !(handles as Handles | undefined)?.vertices.length && !(planes as Planes | undefined)?.length;
 }
 
 /** Vertices held on planes. */

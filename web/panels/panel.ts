@@ -2,8 +2,10 @@ import { html, nothing } from 'lit';
 import { activeStep, type Project, type Step } from '../../src/editor/project.ts';
 import { imageParameter, styleParameter } from '../../src/editor/starting-step.ts';
 import { formats } from '../../src/io/index.ts';
+import { oddities } from '../../src/mesh/report-sentences.ts';
 import type { MethodDescriptor } from '../../src/methods/descriptor.ts';
 import { findMethod } from '../../src/methods/registry.ts';
+import { isUnheld } from '../../src/methods/set-by-hand.ts';
 import type { StyleParameter } from '../../src/methods/values/style.ts';
 import { exportName, ownFormat } from '../app/export.ts';
 import {
@@ -60,12 +62,24 @@ export class WhittlePanel extends PageElement {
       ${imageParameter(method) ? html`<whittle-images data-takes-images .page=${this.page}></whittle-images>` : nothing}
       ${this.#byHand(method)}
       <div class="controls" @parameter=${this.#change}>${others.map((parameter) => control(parameter, false))}</div>
+      ${this.#remarks(method, step)}
       <details class="solver" @parameter=${this.#change}>
         <summary>Solver</summary>
         ${solver.map((parameter) => control(parameter, true))}
         <button type="button" class="button small" data-act="reset" title="All as it was at first (R)" @click=${() => void this.page.editor.reset()}>${icon('reset')}Reset ${method.title}</button>
       </details>
     `;
+  }
+
+  /** What the last run had to say of its result: a compromise, or what it was worked out on. What mesh and image have to do with is said there. */
+  #remarks(method: MethodDescriptor, { result, parameters }: Step) {
+    const elsewhere = [
+      ...(this.state.project ? oddities(this.state.project.report) : []),
+      this.page.images.remark,
+    ];
+    const own = result?.warnings.filter((warning) => !elsewhere.includes(warning)) ?? [];
+    if (own.length === 0 || isUnheld(method, parameters)) return nothing;
+    return html`<ul class="remarks" aria-label="About this result">${own.map((remark) => html`<li>${remark}</li>`)}</ul>`;
   }
 
   /** What is moved by hand needs the tool for it. */

@@ -217,3 +217,23 @@ TEST_CASE("a field of scales shows what acap does to sizes") {
       CHECK(size[v] == doctest::Approx(mesh.positions(v, 0) > 0 ? 0.5 : 1).epsilon(0.02));
   }
 }
+
+TEST_CASE("what is to be prepared goes by the values that were set, asked for or not") {
+  const TriangleMesh mesh = sphere(4);
+  const Index last = mesh.vertexCount() - 1;
+  Points targets(2, 3);
+  targets << mesh.positions.row(0), 1.5 * mesh.positions.row(last);
+  for (const char* variant : {"slippage", "alup", "poisson", "arap", "conformal"}) {
+    CAPTURE(variant);
+    const auto run = [&](bool isAsked) {
+      Session session;
+      REQUIRE(session.load(mesh).ok());
+      REQUIRE(session.select("reshape").ok());
+      REQUIRE(session.set("variant", RawValue{.name = variant}).ok());
+      REQUIRE(session.set("handles", encoded(Handles{{0, last}, targets})).ok());
+      if (isAsked) CHECK(std::string(session.stage()) != "");
+      return stepped(session, mesh);
+    };
+    CHECK(run(true) == run(false));
+  }
+}

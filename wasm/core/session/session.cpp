@@ -132,7 +132,10 @@ Status Session::prepare() {
 
 const char* Session::stage() {
   if (!info_ || stale_ == Stale::nothing) return "";
-  if (!preparation_) beginPreparing();
+  if (!preparation_) {
+    if (!refreshValues().ok()) return "";  // `prepareNext` says why
+    beginPreparing();
+  }
   return preparation_->doing();
 }
 
