@@ -51,7 +51,8 @@ TEST_CASE("a narrow strip between two creases is a bevel, however it is cut and 
 
 TEST_CASE("what is as wide as its neighbours, bends both ways, hardly or by a right angle is no bevel") {
   std::vector<std::array<double, 2>> rod;
-  for (int k = 0; k <= 8; ++k) rod.push_back({0.2 * std::cos(EIGEN_PI * k / 4), 0.2 * std::sin(EIGEN_PI * k / 4)});
+  const double eighth = EIGEN_PI / 4;
+  for (int k = 0; k <= 8; ++k) rod.push_back({0.2 * std::cos(eighth * k), 0.2 * std::sin(eighth * k)});
   CHECK(bevelsOf(folded(rod, 4)).empty());
   CHECK(bevelsOf(folded({{0, 0}, {1, 0}, {1.1, -0.1}, {2.1, -0.1}}, 4)).empty());
   CHECK(bevelsOf(folded({{0, 0}, {1, 0}, {1.1, -0.01}, {2.1, -0.3}}, 4)).empty());
