@@ -25,6 +25,8 @@ export interface Case {
   readonly gestures: Readonly<Record<string, Stretching>>;
   /** Whether it is made from outlines, so that there is a version as programs for construction write it. */
   readonly isDrawn?: boolean;
+  /** Whether its round parts are to grow by the factor of a gesture, and else to stay. */
+  readonly grows?: boolean;
 }
 
 /** Lengthened and shortened along x by its flat ends, widened along y, raised along z. */
@@ -107,12 +109,14 @@ export const cases: readonly Case[] = [
     make: ball,
     size: 2,
     gestures: { pull: { held: 'bottom', moved: 'top', factor: 1.5, points: true } },
+    grows: true,
   },
   {
     name: 'hemisphere',
     make: hemisphere,
     size: 2,
     gestures: { pull: { held: 'left', moved: 'right', factor: 1.4, points: true } },
+    grows: true,
   },
   {
     name: 'drilled plate',
@@ -203,6 +207,7 @@ export const cases: readonly Case[] = [
     make: ring,
     size: 2.7,
     gestures: { pull: { held: 'left', moved: 'right', factor: 1.5, points: true } },
+    grows: true,
   },
 ];
 
