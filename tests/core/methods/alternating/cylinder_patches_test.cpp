@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/round_shapes.h"
@@ -66,6 +67,24 @@ TEST_CASE("a closed cylinder, a hole and a fillet are patches with their axis an
       {4, 6}, [](double u, double v) { return Vec3(0.1 * std::cos(u * 1.57), 0.1 * std::sin(u * 1.57), 0.5 * v); })));
   REQUIRE(fillet.size() == 1);
   CHECK(fillet[0].radius == doctest::Approx(0.1).epsilon(1e-6));
+}
+
+TEST_CASE("flat sides beside a fillet are none of it, however coarse the mesh") {
+  constexpr int kRows = 6;
+  for (const int steps : {4, 8}) {
+    // A quarter of a circle of radius 0.1 between two sides of length 0.3.
+    const auto profile = [&](double u) {
+      const double along = 3 * steps * u - steps;
+      const double angle = std::clamp(along / steps, 0.0, 1.0) * EIGEN_PI / 2, past = 0.3 / steps;
+      const Vec3 arc(0.1 * std::cos(angle), 0.1 * std::sin(angle), 0);
+      return Vec3(arc + past * Vec3(-std::max(along - steps, 0.0), std::min(along, 0.0), 0));
+    };
+    const auto patches = patchesOf(
+        turned(sheet({3 * steps, kRows}, [&](double u, double v) { return Vec3(profile(u) + Vec3(0, 0, 0.5 * v)); })));
+    REQUIRE(patches.size() == 1);
+    CHECK(static_cast<int>(patches[0].faces.size()) == 2 * steps * kRows);
+    CHECK(patches[0].radius == doctest::Approx(0.1).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("spheres, planes, boxes, cones, bends and what is large or oval are no patches") {

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/disjoint_sets.h"
+#include "methods/alternating/flat_regions.h"
 
 namespace whittle {
 
 namespace {
 
-constexpr double kFlat = EIGEN_PI / 180;
 constexpr double kLeastBend = 20 * EIGEN_PI / 180, kMostBend = 70 * EIGEN_PI / 180;
 constexpr double kLeastLength = 2, kLeastBeside = 2;  // in widths of the strip
 constexpr double kLeastSide = 0.7;                    // of the length, which creases on either side have
@@ -27,41 +26,31 @@ struct Side {
 };
 
 /// Flat regions of a mesh and their sides.
-class FlatRegions {
+class RegionSides {
  public:
-  FlatRegions(const TriangleMesh& mesh, const std::vector<FacePair>& pairs) : mesh_(mesh), regionOf_(mesh.faceCount()) {
-    DisjointSets sets(mesh.faceCount());
+  RegionSides(const TriangleMesh& mesh, const std::vector<FacePair>& pairs)
+      : mesh_(mesh), regions_(mesh.faceCount(), pairs), sides_(regions_.faces.size()) {
     for (const FacePair& pair : pairs) {
-      if (pair.angle < kFlat) sets.join(faceOf(pair.first), faceOf(pair.second));
-    }
-    for (Index f = 0; f < mesh.faceCount(); ++f) {
-      const Index first = sets.find(f);
-      if (first == f) faces_.emplace_back();
-      regionOf_[f] = first == f ? static_cast<Index>(faces_.size()) - 1 : regionOf_[first];
-      faces_[regionOf_[f]].push_back(f);
-    }
-    sides_.resize(faces_.size());
-    for (const FacePair& pair : pairs) {
-      if (regionOf_[faceOf(pair.first)] == regionOf_[faceOf(pair.second)]) continue;
+      if (regions_.of[faceOf(pair.first)] == regions_.of[faceOf(pair.second)]) continue;
       addSide(pair.first, pair.second, pair.angle);
       addSide(pair.second, pair.first, pair.angle);
     }
   }
 
-  Index count() const { return static_cast<Index>(faces_.size()); }
-  const std::vector<Index>& faces(Index region) const { return faces_[region]; }
+  Index count() const { return static_cast<Index>(regions_.faces.size()); }
+  const std::vector<Index>& faces(Index region) const { return regions_.faces[region]; }
   const std::vector<Side>& sides(Index region) const { return sides_[region]; }
 
   Vec3 normal(Index region) const {
     Vec3 sum = Vec3::Zero();
-    for (const Index f : faces_[region]) sum += areaVector(f);
+    for (const Index f : regions_.faces[region]) sum += areaVector(f);
     return sum.stableNormalized();
   }
 
   /// Least and largest coordinate along a direction.
   std::array<double, 2> extent(Index region, const Vec3& along) const {
     std::array<double, 2> ends = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const Index f : faces_[region]) {
+    for (const Index f : regions_.faces[region]) {
       for (int k = 0; k < 3; ++k) {
         const double x = at(3 * f + k).dot(along);
         ends = {std::min(ends[0], x), std::max(ends[1], x)};
@@ -74,7 +63,8 @@ class FlatRegions {
   void addSide(Index own, Index other, double angle) {
     const Vec3 from = at(own), to = at(next(own)), tip = at(next(next(other)));
     const bool isConvex = (tip - from).dot(areaVector(faceOf(own))) < 0;
-    sides_[regionOf_[faceOf(own)]].push_back({(from + to) / 2, to - from, angle, isConvex, regionOf_[faceOf(other)]});
+    sides_[regions_.of[faceOf(own)]].push_back(
+        {(from + to) / 2, to - from, angle, isConvex, regions_.of[faceOf(other)]});
   }
 
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
@@ -82,9 +72,8 @@ class FlatRegions {
   Vec3 areaVector(Index f) const { return (at(3 * f + 1) - at(3 * f)).cross(at(3 * f + 2) - at(3 * f)); }
 
   const TriangleMesh& mesh_;
-  std::vector<Index> regionOf_;            // #F
-  std::vector<std::vector<Index>> faces_;  // by region
-  std::vector<std::vector<Side>> sides_;   // by region
+  FlatRegions regions_;
+  std::vector<std::vector<Side>> sides_;  // by region
 };
 
 /// The direction that the sides of a region have most of.
@@ -95,7 +84,7 @@ Vec3 directionOf(const std::vector<Side>& sides) {
 }
 
 /// Whether a strip lies between creases as a bevel does.
-bool isBetweenCreases(const FlatRegions& regions, Index region, const Vec3& along, const Vec3& across) {
+bool isBetweenCreases(const RegionSides& regions, Index region, const Vec3& along, const Vec3& across) {
   const auto [low, high] = regions.extent(region, across);
   const auto [begin, end] = regions.extent(region, along);
   std::array<double, 2> lengths = {0, 0};
@@ -122,7 +111,7 @@ bool isBetweenCreases(const FlatRegions& regions, Index region, const Vec3& alon
 
 std::vector<CylinderPatch> bevels(const TriangleMesh& mesh, const std::vector<FacePair>& pairs) {
   std::vector<CylinderPatch> found;
-  const FlatRegions regions(mesh, pairs);
+  const RegionSides regions(mesh, pairs);
   for (Index region = 0; region < regions.count(); ++region) {
     if (regions.sides(region).size() < 2) continue;
     const Vec3 along = directionOf(regions.sides(region)), normal = regions.normal(region);

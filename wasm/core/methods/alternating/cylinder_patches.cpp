@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "mesh/disjoint_sets.h"
+#include "methods/alternating/flat_regions.h"
 
 namespace whittle {
 
@@ -19,7 +20,9 @@ constexpr double kMostDeviation = 0.03;
 constexpr double kLeastShare = 0.25;                                   // of a piece's faces that a cylinder in it has
 const double kMostUnited = std::sin(EIGEN_PI / 12) / (EIGEN_PI / 12);  // mean normal of an arc of 30°
 const double kLeastRadial = std::cos(EIGEN_PI / 9);  // of normals, as remeshed holes of 10 edges have them
-const double kSameTurn = std::cos(EIGEN_PI / 9);  // between the directions without curvature of faces beside each other
+const double kSameTurn = std::cos(EIGEN_PI / 9);  // of axes, by curvature, of faces beside each other, and by normals
+const double kWidestFacet = 2 * std::sin(EIGEN_PI / 9);  // of the radius: what bends more than 40° has creases
+const double kFlat = std::cos(EIGEN_PI / 90);            // of normals in a region that is flat, not just finely meshed
 /// Vertices whose spread across a line is below this share of that along it (squared) show no circle.
 constexpr double kNoArc = 1e-10;
 
@@ -73,9 +76,10 @@ std::vector<std::vector<Index>> roundPieces(const std::vector<FacePair>& pairs, 
 /// Holds pieces of one mesh against cylinders.
 class CylinderFit {
  public:
-  CylinderFit(const TriangleMesh& mesh, const Curvatures& curvatures, const FaceFrames& frames)
-      : mesh_(mesh), curvatures_(curvatures), frames_(frames), seenIn_(mesh.vertexCount(), -1),
-        offCircle_(mesh.vertexCount()) {}
+  CylinderFit(const TriangleMesh& mesh, const Curvatures& curvatures, const FaceFrames& frames,
+              const FlatRegions& regions)
+      : mesh_(mesh), curvatures_(curvatures), frames_(frames), regions_(regions), seenIn_(mesh.vertexCount(), -1),
+        offCircle_(mesh.vertexCount()), widthOf_(regions.faces.size()) {}
 
   /// Fits a cylinder to the faces of a patch; returns whether it is one. Faces that are off it are dropped, as are flat
   /// ones beside a fillet, whose curvature is estimated from both, and it is tried again.
@@ -83,12 +87,16 @@ class CylinderFit {
     const std::size_t whole = patch.faces.size();
     const std::size_t least = std::max(kLeastFaces, static_cast<std::size_t>(kLeastShare * whole));
     while (patch.faces.size() >= least) {
-      const bool isStraight = findAxis(patch);
-      if (isStraight && !findCircle(patch)) return false;
-      const auto isOff = [&](Index f) {
-        return isStraight ? !isRadial(patch, f) || isOffCircle(patch, f) : isAskew(patch, f);
-      };
-      if (std::erase_if(patch.faces, isOff) == 0) return isStraight && isBent(patch);
+      if (!findAxis(patch)) {
+        if (std::erase_if(patch.faces, [&](Index f) { return isAskew(patch, f); }) == 0) return false;
+        continue;
+      }
+      if (!findCircle(patch)) return false;
+      // Flat faces go first, as the circle says little of the others while they are in it.
+      measureRegions(patch);
+      if (std::erase_if(patch.faces, [&](Index f) { return isOfWideRegion(patch, f); }) > 0) continue;
+      if (std::erase_if(patch.faces, [&](Index f) { return !isRadial(patch, f) || isOffCircle(patch, f); }) == 0)
+        return isBent(patch);
     }
     return false;
   }
@@ -106,6 +114,9 @@ class CylinderFit {
       area += weight;
     }
     patch.axis = Eigen::SelfAdjointEigenSolver<Mat3>(axes).eigenvectors().col(2);
+    // Normals tell the axis exactly, but of an arc that is nearly flat only where curvature says what to look for.
+    const Vec3 flattest = Eigen::SelfAdjointEigenSolver<Mat3>(normals).eigenvectors().col(0);
+    if (std::abs(flattest.dot(patch.axis)) > kSameTurn) patch.axis = flattest;
     return patch.axis.dot(normals * patch.axis) <= kMostTilt * kMostTilt * area;
   }
 
@@ -133,11 +144,36 @@ class CylinderFit {
     return std::abs(frames_.normals.row(f).dot(radial)) >= kLeastRadial * radial.norm();
   }
 
+  bool isOfWideRegion(const CylinderPatch& patch, Index f) const {
+    return widthOf_[regions_.of[f]] > kWidestFacet * patch.radius;
+  }
+
   bool isOffCircle(const CylinderPatch& patch, Index f) const {
     for (int k = 0; k < 3; ++k) {
       if (offCircle_[mesh_.triangles(f, k)] > kMostDeviation * patch.radius) return true;
     }
     return false;
+  }
+
+  /// Finds how wide the flat regions of a patch are across its axis, beyond the patch as well: those beside a fillet are
+  /// wider than any facet of it. What is not flat counts as narrow.
+  void measureRegions(const CylinderPatch& patch) {
+    for (const Index f : patch.faces) widthOf_[regions_.of[f]] = -1;
+    for (const Index f : patch.faces) {
+      double& width = widthOf_[regions_.of[f]];
+      if (width >= 0) continue;
+      const Vec3 normal = frames_.normals.row(f).transpose(), across = patch.axis.cross(normal);
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      bool isFlat = true;
+      for (const Index g : regions_.faces[regions_.of[f]]) {
+        isFlat = isFlat && frames_.normals.row(g).dot(normal.transpose()) > kFlat;
+        for (int k = 0; k < 3; ++k) {
+          low = std::min(low, at(g, k).dot(across));
+          high = std::max(high, at(g, k).dot(across));
+        }
+      }
+      width = isFlat ? high - low : 0;
+    }
   }
 
   /// Finds the circle around the axis that minimizes Σ (|p − c|² − r²)² over the vertices, and how far they are off it;
@@ -192,11 +228,13 @@ class CylinderFit {
   const TriangleMesh& mesh_;
   const Curvatures& curvatures_;
   const FaceFrames& frames_;
+  const FlatRegions& regions_;
   Index fits_ = 0;
   std::vector<Index> seenIn_;  // #V, the fit that a vertex was in last
   std::vector<Index> vertices_;
   std::vector<Vec3> offsets_;
-  Scalars offCircle_;  // #V, deviation in the last fit
+  Scalars offCircle_;            // #V, deviation in the last fit
+  std::vector<double> widthOf_;  // by region, of those in the patch
 };
 
 /// How far apart displacements get across an axis: widths in eight directions, which find 98 % of it.
@@ -243,7 +281,8 @@ std::vector<CylinderPatch> cylinderPatches(const TriangleMesh& mesh, const std::
                                            const std::vector<bool>& features, const Curvatures& curvatures) {
   std::vector<CylinderPatch> patches;
   const FaceFrames frames(mesh, curvatures);
-  CylinderFit fit(mesh, curvatures, frames);
+  const FlatRegions regions(mesh.faceCount(), pairs);
+  CylinderFit fit(mesh, curvatures, frames, regions);
   for (std::vector<Index>& faces : roundPieces(pairs, features, curvatures, frames.axes)) {
     if (faces.size() < kLeastFaces) continue;
     CylinderPatch patch{std::move(faces), Vec3::Zero(), Vec3::Zero(), 0};

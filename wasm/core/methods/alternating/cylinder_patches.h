@@ -20,7 +20,8 @@ struct CylinderPatch {
 /// The cylinder patches of a mesh in the unit frame, by their first faces. Faces that curve one way, by more than 1, are
 /// joined across edges that are no features where they curve about nearly the same direction. Of each piece the faces
 /// count whose vertices keep to one circle, within 3 % of its radius, and that look to its axis, within 20°: flat faces
-/// beside a fillet, whose curvature is estimated from both, are none. They are a patch if they are 8 and more, a quarter
+/// beside a fillet, whose curvature is estimated from both, are none: they belong to something flat that is wider than any
+/// facet. They are a patch if they are 8 and more, a quarter
 /// of the piece and more, if their normals are at right angles to one axis (within 0.1, root mean square by area, which
 /// leaves out cones, bowls and bends) and go over 30° and more, and if the radius is that of their curvature.
 /// @param features #E, as the curvatures know them

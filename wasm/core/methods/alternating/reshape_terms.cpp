@@ -54,6 +54,7 @@ void setTerms(const ReshapeTerms& terms, const Structure& structure, const std::
       surface.keptDirections.row(f) = patch.axis.cross(normal).stableNormalized().transpose();
     }
   }
+  fadeBorders(surface, curvatures, terms.leastSimilarity);
 }
 
 }  // namespace whittle

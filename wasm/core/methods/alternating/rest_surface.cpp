@@ -84,10 +84,24 @@ void setSimilarity(RestSurface& surface) {
   }
 }
 
+namespace {
+
+double faded(double curvature, double least) { return least + (1 - least) * std::clamp(curvature / kRound, 0.0, 1.0); }
+
+}  // namespace
+
 void fadeSimilarity(RestSurface& surface, const Curvatures& curvatures, double least) {
   for (Hinge& hinge : surface.hinges) {
-    const double k = std::max(curvatures.strongest(hinge.first), curvatures.strongest(hinge.second));
-    hinge.similarity *= least + (1 - least) * std::clamp(k / kRound, 0.0, 1.0);
+    hinge.similarity *= faded(std::max(curvatures.strongest(hinge.first), curvatures.strongest(hinge.second)), least);
+  }
+}
+
+void fadeBorders(RestSurface& surface, const Curvatures& curvatures, double least) {
+  for (Hinge& hinge : surface.hinges) {
+    const bool keepsFirst = !surface.keptDirections.row(hinge.first).isZero(0);
+    const bool keepsSecond = !surface.keptDirections.row(hinge.second).isZero(0);
+    if (keepsFirst != keepsSecond)
+      hinge.similarity *= faded(curvatures.weakest(keepsFirst ? hinge.second : hinge.first), least);
   }
 }
 

@@ -57,4 +57,8 @@ void setSimilarity(RestSurface& surface);
 /// strongest curvature of both faces.
 void fadeSimilarity(RestSurface& surface, const Curvatures& curvatures, double least);
 
+/// Takes similarity off where a round part that keeps its radius goes over into what is flat: a side may stretch up to
+/// where its fillet begins. What curves both ways, as the ball at a corner, stays with the fillet.
+void fadeBorders(RestSurface& surface, const Curvatures& curvatures, double least);
+
 }  // namespace whittle

@@ -6,13 +6,12 @@
 
 #include "geometry/surface.h"
 #include "geometry/triangle_contact.h"
-#include "mesh/disjoint_sets.h"
+#include "methods/alternating/flat_regions.h"
 
 namespace whittle {
 
 namespace {
 
-constexpr double kPlane = 1 * EIGEN_PI / 180;
 const double kFacing = -std::cos(3 * EIGEN_PI / 180);
 /// Distance of two sides over the smaller of their extents, below which they are a wall.
 constexpr double kThin = 0.5;
@@ -38,20 +37,15 @@ ThinWallSearch::ThinWallSearch(const RestSurface& surface) : surface_(surface) {
 }
 
 void ThinWallSearch::joinSides() {
-  DisjointSets sides(surface_.faceCount());
-  for (const FacePair& pair : surface_.pairs) {
-    if (pair.angle < kPlane && surface_.edges.faceCountAt(pair.edge) == 2)
-      sides.join(faceOf(pair.first), faceOf(pair.second));
-  }
+  FlatRegions regions(surface_.faceCount(), surface_.pairs);
   const Scalars areas = faceAreas(surface_.mesh.positions, surface_.mesh.triangles);
-  extents_.assign(surface_.faceCount(), 0);
-  result_.sideOf.resize(surface_.faceCount());
-  for (Index f = 0; f < surface_.faceCount(); ++f) {
-    result_.sideOf[f] = sides.find(f);
-    extents_[result_.sideOf[f]] += areas[f];
+  for (const std::vector<Index>& faces : regions.faces) {
+    double area = 0;
+    for (const Index f : faces) area += areas[f];
+    extents_.push_back(std::sqrt(area));
   }
-  for (double& extent : extents_) extent = std::sqrt(extent);
-  wallsOfSide_.resize(surface_.faceCount());
+  wallsOfSide_.resize(regions.faces.size());
+  result_.sideOf = std::move(regions.of);
 }
 
 double ThinWallSearch::next() {
