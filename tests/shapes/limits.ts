@@ -55,7 +55,7 @@ export const limits: readonly Limit[] = [
   },
   {
     title: 'flat sides tilt by at most 0.1°',
-    beyond: ({ planeTilt }) => (planeTilt > 0.1 ? `a side tilts by ${planeTilt.toFixed(2)}°` : undefined),
+    beyond: ({ planeTilt }) => (planeTilt > 0.1 ? `a side tilts by ${planeTilt.toFixed(3)}°` : undefined),
   },
   {
     title: 'straight creases bend by at most 0.3 % of the diagonal',
