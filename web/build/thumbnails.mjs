@@ -97,7 +97,9 @@ async function entered(label) {
 function settled() {
   return page.waitForFunction(() => {
     const status = document.querySelector('whittle-status');
-    return status?.dataset.activity === 'idle' && status.textContent.includes('Carved');
+    return (
+      status?.dataset.activity === 'idle' && status.textContent.match(/(Carved|Shaped) in|Nothing is held/)
+    );
   });
 }
 

@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit';
-import { shownResult } from '../../src/editor/project.ts';
+import { activeStep, type StepInputs, shownResult } from '../../src/editor/project.ts';
 import { findMethod } from '../../src/methods/registry.ts';
+import { isUnheld } from '../../src/methods/set-by-hand.ts';
 import type { PageState } from '../app/page-state.ts';
 import { PageElement } from './page-element.ts';
 import { sparkline } from './sparkline.ts';
@@ -12,7 +13,7 @@ export class WhittleStatus extends PageElement {
   protected override stateChanged(state: PageState): void {
     const { activity } = state;
     this.dataset.activity = activity.kind;
-    this.#spoken = activity.kind === 'solving' ? 'Carving' : sentence(state);
+    this.#spoken = activity.kind === 'solving' ? working(state.project) : sentence(state);
   }
 
   protected override render() {
@@ -40,7 +41,9 @@ function sentence({ activity, project }: PageState): string {
       if (activity.preparing)
         return `${capital(activity.preparing.stage)}… ${Math.round(100 * activity.preparing.share)} %`;
       if (!activity.live) return 'Settling…';
-      return activity.iteration > 0 ? `Carving… iteration ${activity.iteration}` : 'Carving…';
+      return activity.iteration > 0
+        ? `${working(project)}… iteration ${activity.iteration}`
+        : `${working(project)}…`;
     default:
       return rest(project);
   }
@@ -49,12 +52,24 @@ function sentence({ activity, project }: PageState): string {
 function rest(project: PageState['project']): string {
   const result = project && shownResult(project);
   if (!result) return 'As it came';
+  if (isUnheld(findMethod(result.of.method), result.of.parameters)) return 'Nothing is held or pulled yet';
   const many = `${result.iterations} ${result.iterations === 1 ? 'iteration' : 'iterations'}`;
   if (result.state === 'stopped') return `Stopped after ${many}; this shape is kept`;
   if (result.outcome === 'iteration-limit' && !endsByCount(result.of.method))
     return `Stopped at the limit of ${many}`;
   const seconds = result.milliseconds / 1000;
-  return `Carved in ${many}, ${seconds < 10 ? seconds.toFixed(2) : seconds.toFixed(0)} s`;
+  const done = isByHand(result.of) ? 'Shaped' : 'Carved';
+  return `${done} in ${many}, ${seconds < 10 ? seconds.toFixed(2) : seconds.toFixed(0)} s`;
+}
+
+/** What a run does, in a word. */
+function working(project: PageState['project']): string {
+  return project && isByHand(activeStep(project)) ? 'Shaping' : 'Carving';
+}
+
+/** Whether it is a person who says where the shape goes. */
+function isByHand({ method }: Pick<StepInputs, 'method'>): boolean {
+  return findMethod(method)?.intent === 'move';
 }
 
 /** Whether nothing but the number of iterations ends the method: without a tolerance it is no limit but all there is. */

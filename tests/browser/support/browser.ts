@@ -76,7 +76,7 @@ export async function carved(page: Page): Promise<void> {
     const element = document.querySelector<HTMLElement>('whittle-status');
     return (
       element?.dataset.activity === 'idle' &&
-      /^Carved/.test(element.querySelector('.sentence')?.textContent ?? '')
+      /^(Carved|Shaped|Nothing is held)/.test(element.querySelector('.sentence')?.textContent ?? '')
     );
   });
 }
