@@ -82,7 +82,7 @@ export interface MeshReport {
   readonly turnedFaces: number;
   /** Edges whose two faces cannot look the same way, as on a Möbius strip. */
   readonly oneSidedEdges: number;
-  /** Vertices that no face uses. They stay where they are. */
+  /** Vertices that no face uses. They stay where they are, unless they are handles. */
   readonly isolatedVertices: number;
   /** Vertices of parts so far away that they do not count for the unit frame and the view; see `extent.ts`. */
   readonly farVertices: number;

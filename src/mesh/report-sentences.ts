@@ -12,8 +12,8 @@ export function oddities(report: MeshReport): string[] {
   };
   say(
     isolatedVertices,
-    'vertex belongs to no face and stays where it is.',
-    'vertices belong to no face and stay where they are.',
+    'vertex belongs to no face and stays where it is, unless it is a handle.',
+    'vertices belong to no face and stay where they are, unless they are handles.',
   );
   say(
     farVertices,
@@ -27,8 +27,8 @@ export function oddities(report: MeshReport): string[] {
   );
   say(
     degenerateFaces,
-    'face has no area; it is kept, with its stiffness limited.',
-    'faces have no area; they are kept, with their stiffness limited.',
+    'face has no area; your file keeps it, and it has next to no say in the work.',
+    'faces have no area; your file keeps them, and they have next to no say in the work.',
   );
   say(
     duplicateFaces,

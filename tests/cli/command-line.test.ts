@@ -97,7 +97,7 @@ test('vertices without a face stay, with a warning', async () => {
   const said = await desk.run('cubic @in.obj --out @out.obj');
   expect(said).toMatchObject({
     code: 0,
-    stderr: 'in.obj: 2 vertices belong to no face and stay where they are.\n',
+    stderr: 'in.obj: 2 vertices belong to no face and stay where they are, unless they are handles.\n',
   });
   expect(objPositions(await desk.read('out.obj')).slice(-6)).toEqual([9, 9, 9, 8, 8, 8]);
 });

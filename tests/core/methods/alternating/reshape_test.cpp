@@ -1,9 +1,12 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "geometry/surface.h"
+#include "methods/values/chains.h"
 #include "methods/values/handles.h"
 #include "support/round_shapes.h"
 #include "support/runs.h"
@@ -35,6 +38,7 @@ struct Reshaping {
   Handles handles;
   std::string variant = "slippage";
   std::string reading = "tuned";
+  std::string remesh = "auto";
 
   Run run() const {
     Session session;
@@ -42,6 +46,7 @@ struct Reshaping {
     REQUIRE(session.select("reshape").ok());
     REQUIRE(session.set("variant", encoded(variant)).ok());
     REQUIRE(session.set("reading", encoded(reading)).ok());
+    REQUIRE(session.set("remesh", encoded(remesh)).ok());
     REQUIRE(session.set("handles", encoded(handles)).ok());
     REQUIRE(session.prepare().ok());
     return finish(session);
@@ -236,4 +241,92 @@ TEST_CASE("what cannot be is refused, and what is far away is a mistake") {
   status = session.prepare();
   CHECK(status.code == Code::badHandles);
   CHECK(status.element.index == inside.handles.vertices[3]);
+}
+
+namespace {
+
+/// A bar of length 4 along x, held at one end and pulled at the other.
+Reshaping pulledBar() {
+  Reshaping reshaping{longBox(12, 3), {}};
+  const auto isEnd = [](const Vec3& p) { return p.x() < 1e-9 || p.x() > 4 - 1e-9; };
+  reshaping.handles =
+      handlesOn(reshaping.mesh, isEnd, [](const Vec3& p) -> Vec3 { return p + (p.x() > 1 ? 1 : 0) * Vec3::UnitX(); });
+  return reshaping;
+}
+
+Index vertexAt(const TriangleMesh& mesh, const Vec3& place) {
+  Index nearest = 0;
+  (mesh.positions.rowwise() - place.transpose()).rowwise().norm().minCoeff(&nearest);
+  return nearest;
+}
+
+/// What a run says that works on the file's own faces and has lines of a parameter.
+std::vector<std::string> saidOf(const Reshaping& reshaping, const char* name, const VertexChains& lines) {
+  Session session;
+  REQUIRE(session.load(reshaping.mesh).ok());
+  REQUIRE(session.select("reshape").ok());
+  REQUIRE(session.set("handles", encoded(reshaping.handles)).ok());
+  REQUIRE(session.set("remesh", encoded("never")).ok());
+  REQUIRE(session.set(name, encoded(lines)).ok());
+  REQUIRE(session.prepare().ok());
+  finish(session);
+  return session.warnings();
+}
+
+}  // namespace
+
+TEST_CASE("lines that mark nothing are told of by their number") {
+  const Reshaping bar = pulledBar();
+  const auto at = [&](double x, double y, double z) { return vertexAt(bar.mesh, Vec3(x, y, z)); };
+  const std::vector<Index> side = {at(0, 0, 0), at(4, 0, 0)}, through = {at(0, 0, 0), at(4, 1, 1)};
+  const std::vector<Index> leaving = {at(0, 0, 0), at(1 / 3.0, 0, 0), at(4, 1, 1)};
+  const std::vector<Index> edge = {at(0, 0, 0), at(1 / 3.0, 0, 0)};
+  for (const char* name : {"features", "smooth"}) {
+    const std::string end = std::string(" of “") + name + "” ";
+    CHECK(saidOf(bar, name, {side, through, leaving}) ==
+          std::vector<std::string>{
+              "Line 2" + end + "lies along no edge of the mesh, so that it marks nothing.",
+              "Line 3" + end + "leaves the edges of the mesh; it marks those that it lies along.",
+          });
+  }
+  CHECK(saidOf(bar, "straight", {side, through, edge}) ==
+        std::vector<std::string>{
+            "Line 2 of “straight” lies along no edge of the mesh, so that it marks nothing.",
+            "Line 3 of “straight” has fewer than three vertices where the work is done, so that it keeps nothing "
+            "straight.",
+        });
+}
+
+TEST_CASE("faces without area are left out of the work and come back") {
+  Reshaping bar = pulledBar();
+  const Points whole = bar.run().positions;
+  bar.mesh.triangles.conservativeResize(bar.mesh.faceCount() + 1, 3);
+  bar.mesh.triangles.bottomRows<1>() << 0, 1, 1;
+  CHECK((bar.run().positions - whole).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK(saidOf(bar, "straight", {}) ==
+        std::vector<std::string>{
+            "1 face that is too thin or repeats another is left out of the work; it follows the rest."});
+}
+
+TEST_CASE("a vertex without a face goes where it is told, else it stays") {
+  Reshaping bar = pulledBar();
+  const Index count = bar.mesh.vertexCount();
+  bar.mesh.positions.conservativeResize(count + 2, 3);
+  bar.mesh.positions.bottomRows<2>() << 1, 2, 0, 2, 2, 0;
+  const Points without = bar.run().positions;
+  CHECK(without.bottomRows<2>() == bar.mesh.positions.bottomRows<2>());
+  bar.handles.vertices.push_back(count);
+  bar.handles.targets.conservativeResize(bar.handles.targets.rows() + 1, 3);
+  bar.handles.targets.bottomRows<1>() << 1, 3, 0.5;
+  for (const char* variant : {"slippage", "alup", "poisson", "arap", "conformal"}) {
+    for (const char* remesh : {"auto", "always"}) {
+      bar.variant = variant;
+      bar.remesh = remesh;
+      const Points with = bar.run().positions;
+      CHECK((with.row(count) - bar.handles.targets.bottomRows<1>()).norm() < 1e-3);
+      CHECK(with.row(count + 1) == bar.mesh.positions.row(count + 1));
+      if (bar.variant == "slippage" && bar.remesh == "auto")
+        CHECK((with.topRows(count) - without.topRows(count)).cwiseAbs().maxCoeff() < 1e-4);
+    }
+  }
 }

@@ -8,7 +8,8 @@ namespace whittle {
 
 namespace {
 
-constexpr double kSteep = 0.5;  // cos 60°
+constexpr double kSteep = 0.5;     // cos 60°
+constexpr double kInPlane = 0.97;  // cos 14°, which what is flat is bent by at most
 
 }  // namespace
 
@@ -33,6 +34,32 @@ FoldReport findFolds(const RestSurface& surface, const Points& positions) {
   std::nth_element(ratios.begin(), hundredth, ratios.end());
   report.poorQuality = *hundredth;
   return report;
+}
+
+Index turnedInPlane(const TriangleMesh& input, const Points& positions, const CarriedBack& from) {
+  const Triangles& triangles = from.surface.mesh.triangles;
+  const Points workingNormals = faceNormals(from.positions, triangles);
+  std::vector<bool> isFolded(from.surface.vertexCount(), false);
+  for (Index f = 0; f < from.surface.faceCount(); ++f) {
+    if (from.surface.faceNormals.row(f).dot(workingNormals.row(f)) >= 0) continue;
+    for (int k = 0; k < 3; ++k) isFolded[triangles(f, k)] = true;
+  }
+  const auto followsFold = [&](Index vertex) {
+    const Transfer::Place& place = from.transfer.place(vertex);
+    if (place.twin >= 0) return static_cast<bool>(isFolded[place.twin]);
+    bool found = false;
+    for (int k = 0; k < 3 && place.face >= 0; ++k) found = found || isFolded[triangles(place.face, k)];
+    return found;
+  };
+  const Points before = faceNormals(input.positions, input.triangles), after = faceNormals(positions, input.triangles);
+  Index count = 0;
+  for (Index f = 0; f < input.faceCount(); ++f) {
+    if (before.row(f).dot(after.row(f)) > -kInPlane) continue;
+    bool isSaid = false;
+    for (int k = 0; k < 3; ++k) isSaid = isSaid || followsFold(input.triangles(f, k));
+    count += !isSaid;
+  }
+  return count;
 }
 
 }  // namespace whittle

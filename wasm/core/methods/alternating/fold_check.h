@@ -1,6 +1,7 @@
 #pragma once
 
 #include "methods/alternating/rest_surface.h"
+#include "remeshing/transfer.h"
 
 namespace whittle {
 
@@ -18,5 +19,17 @@ struct FoldReport {
 };
 
 FoldReport findFolds(const RestSurface& surface, const Points& positions);
+
+/// What a working surface became, and the way back from it.
+struct CarriedBack {
+  const RestSurface& surface;
+  const Points& positions;  // #V of the surface ×3
+  const Transfer& transfer;
+};
+
+/// How many faces of the input turn over in their own plane as they follow the surface, where the surface itself does
+/// not: thin faces whose corners are carried past each other. What is seen of the shape does not change with them.
+/// @param positions of the input's vertices, #V×3, as they were carried back
+Index turnedInPlane(const TriangleMesh& input, const Points& positions, const CarriedBack& from);
 
 }  // namespace whittle

@@ -24,6 +24,24 @@ struct Segment {
   }
 };
 
+/// How many of the segments have an edge along them.
+std::size_t countOnEdges(const std::vector<Segment>& segments, const Points& positions, const MeshEdges& edges) {
+  std::vector<bool> isMet(segments.size(), false);
+  for (const auto& [low, high] : edges.ends) {
+    const Vec3 a = positions.row(low).transpose(), b = positions.row(high).transpose();
+    for (std::size_t s = 0; s < segments.size(); ++s)
+      isMet[s] = isMet[s] || (segments[s].holds(a) && segments[s].holds(b));
+  }
+  return static_cast<std::size_t>(std::count(isMet.begin(), isMet.end(), true));
+}
+
+std::string lineOf(const char* name, std::size_t line) {
+  std::string words = "Line ";
+  return words.append(std::to_string(line + 1)).append(" of “").append(name).append("” ");
+}
+
+constexpr const char* kAlongNone = "lies along no edge of the mesh, so that it marks nothing.";
+
 std::vector<Segment> segmentsOf(const std::vector<Index>& chain, const Points& input) {
   std::vector<Segment> segments;
   for (std::size_t i = 1; i < chain.size(); ++i)
@@ -76,6 +94,37 @@ VertexChains chainsAlong(const VertexChains& chains, const Points& input, const 
     if (vertices.size() > 2) result.push_back(std::move(vertices));
   }
   return result;
+}
+
+std::vector<std::string> linesOffEdges(const char* name, const VertexChains& chains, const TriangleMesh& input) {
+  std::vector<std::string> sentences;
+  if (chains.empty()) return sentences;
+  const MeshEdges edges(input.triangles, input.vertexCount());
+  for (std::size_t line = 0; line < chains.size(); ++line) {
+    const std::vector<Segment> segments = segmentsOf(chains[line], input.positions);
+    const std::size_t met = countOnEdges(segments, input.positions, edges);
+    if (met == 0) {
+      sentences.push_back(lineOf(name, line) + kAlongNone);
+    } else if (met < segments.size()) {
+      sentences.push_back(lineOf(name, line) + "leaves the edges of the mesh; it marks those that it lies along.");
+    }
+  }
+  return sentences;
+}
+
+std::vector<std::string> linesKeptByNothing(const char* name, const VertexChains& chains, const TriangleMesh& input,
+                                            const RestSurface& surface) {
+  std::vector<std::string> sentences;
+  for (std::size_t line = 0; line < chains.size(); ++line) {
+    if (!chainsAlong({chains[line]}, input.positions, surface).empty()) continue;
+    const MeshEdges edges(input.triangles, input.vertexCount());
+    const bool isOnEdges = countOnEdges(segmentsOf(chains[line], input.positions), input.positions, edges) > 0;
+    sentences.push_back(lineOf(name, line) +
+                        (isOnEdges ? "has fewer than three vertices where the work is done, so that it keeps nothing "
+                                     "straight."
+                                   : kAlongNone));
+  }
+  return sentences;
 }
 
 }  // namespace whittle

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "constraints/straight_chains.h"
 #include "methods/alternating/rest_surface.h"
 
@@ -15,5 +17,13 @@ std::vector<bool> edgesAlong(const VertexChains& chains, const Points& input, co
 
 /// The vertices of the surface that lie along each chain, in its order.
 VertexChains chainsAlong(const VertexChains& chains, const Points& input, const RestSurface& surface);
+
+/// What is to be said of lines that leave the edges of the input, a sentence each.
+/// @param name of the parameter whose lines they are
+std::vector<std::string> linesOffEdges(const char* name, const VertexChains& chains, const TriangleMesh& input);
+
+/// What is to be said of lines that keep nothing straight, a sentence each.
+std::vector<std::string> linesKeptByNothing(const char* name, const VertexChains& chains, const TriangleMesh& input,
+                                            const RestSurface& surface);
 
 }  // namespace whittle

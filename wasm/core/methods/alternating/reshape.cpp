@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/bounding_box.h"
+#include "methods/alternating/fold_check.h"
 #include "methods/alternating/marked_lines.h"
 #include "methods/alternating/reshape_rows.h"
 
@@ -101,6 +102,7 @@ void Reshape::shape(const ReshapeParameters& values) {
   rows.handles = aimed(values);
   keptWalls_ = keptWalls(working_.structure().walls, working_.surface(), rows.handles);
   rows.others = otherRows(values, rows.handles);
+  straightRemarks_ = linesKeptByNothing("straight", values.straight, *rest_, working_.surface());
   emitted_.resize(0, 3);
   if (variant_ == Variant::poisson) {
     rows.handles.insert(rows.handles.end(), rows.others.begin(), rows.others.end());
@@ -134,6 +136,7 @@ std::vector<PointRow> Reshape::otherRows(const ReshapeParameters& values, const 
 std::vector<PointRow> Reshape::aimed(const ReshapeParameters& values) const {
   std::vector<PointRow> rows;
   for (std::size_t h = 0; h < values.handles.vertices.size(); ++h) {
+    if (!working_.carries(values.handles.vertices[h])) continue;
     PointRow row = handleRow(*rest_, working_.mesh(), working_.transfer(), values.handles.vertices[h]);
     row.target =
         row.residual(working_.mesh().mesh.positions) + values.handles.targets.row(static_cast<Index>(h)).transpose();
@@ -211,6 +214,10 @@ Status Reshape::step(Points& positions, StepReport& report) {
   if (report.outcome == Outcome::midway) return {};
   workingPositions_ = isPoisson ? poisson_.positions() : run_.positions();
   working_.transfer().carry(workingPositions_, positions);
+  for (std::size_t h = 0; h < handles_.vertices.size(); ++h) {
+    if (!working_.carries(handles_.vertices[h]))
+      positions.row(handles_.vertices[h]) = handles_.targets.row(static_cast<Index>(h));
+  }
   emitted_ = positions;
   movesBefore_ = handleMoves_;
   return {};
@@ -221,8 +228,20 @@ std::vector<std::string> Reshape::warnings(const ReshapeParameters& values) cons
     return {"Nothing is held, so nothing moves: reshape needs handles; hold some vertices and drag others."};
   if (isLocalGlobal()) return arap_.warnings(arapValues_);
   std::vector<std::string> remarks = working_.remarks();
-  if (variant_ != Variant::poisson) remarks.insert(remarks.end(), run_.remarks().begin(), run_.remarks().end());
+  if (variant_ != Variant::poisson) {
+    remarks.insert(remarks.end(), straightRemarks_.begin(), straightRemarks_.end());
+    remarks.insert(remarks.end(), run_.remarks().begin(), run_.remarks().end());
+  }
+  if (const Index turned = turnedOnTheWayBack(); turned > 0) {
+    remarks.push_back(std::to_string(turned) + " of the file's own thin faces " + (turned == 1 ? "turns" : "turn") +
+                      " over within flat sides; the shape is not changed by it.");
+  }
   return remarks;
+}
+
+Index Reshape::turnedOnTheWayBack() const {
+  if (!isGesture_ || !working_.isOther() || emitted_.rows() != rest_->vertexCount()) return 0;
+  return turnedInPlane(*rest_, emitted_, {working_.surface(), workingPositions_, working_.transfer()});
 }
 
 std::vector<Field> Reshape::fields() const {

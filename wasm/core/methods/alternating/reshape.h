@@ -30,6 +30,8 @@ class Reshape final : public MethodOf<ReshapeParameters> {
   std::vector<PointRow> otherRows(const ReshapeParameters& values, const std::vector<PointRow>& handles) const;
   std::vector<PointRow> aimed(const ReshapeParameters& values) const;
   void setGesture();
+  /// Faces of the file that turn over while the surface that they follow does not.
+  Index turnedOnTheWayBack() const;
   /// The gesture as a multiple of the one that the last result is of; 0 where there is none.
   double shareOfGestureBefore() const;
 
@@ -43,6 +45,7 @@ class Reshape final : public MethodOf<ReshapeParameters> {
 
   Handles handles_;
   std::vector<bool> keptWalls_;
+  std::vector<std::string> straightRemarks_;
   bool isGesture_ = false;                       // whether a handle is to move
   std::vector<Vec3> handleMoves_, movesBefore_;  // of this gesture; of the one that `emitted_` is of
   Points emitted_;                               // the positions that the last step left, of the input

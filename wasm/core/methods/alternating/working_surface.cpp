@@ -60,6 +60,9 @@ void WorkingSurface::begin(const ReshapeParameters& values) {
   transfer_.reset();
   surface_.reset();
 
+  lineRemarks_ = linesOffEdges("features", marked_, *rest_);
+  const std::vector<std::string> ofSmooth = linesOffEdges("smooth", unmarked_, *rest_);
+  lineRemarks_.insert(lineRemarks_.end(), ofSmooth.begin(), ofSmooth.end());
   CleanMesh clean = whittle::clean(*rest_);
   working_ = std::move(clean.derived);
   mended_ = clean.mended;
@@ -224,10 +227,19 @@ std::vector<std::string> WorkingSurface::remarks() const {
     remarks.push_back("The shape was worked out on " + std::to_string(working_.mesh.faceCount()) + " even faces, as " +
                       why + "; your own faces follow them.");
   }
+  if (!isRemeshed_ && mended_ > 0) {
+    remarks.push_back(mended_ == 1
+                          ? "1 face that is too thin or repeats another is left out of the work; it follows the "
+                            "rest."
+                          : std::to_string(mended_) +
+                                " faces that are too thin or repeat others are left out of the work; they "
+                                "follow the rest.");
+  }
   if (unmended_ > 0) {
     remarks.push_back(std::to_string(unmended_) +
                       " faces are so thin that they have no direction; where they are the result may be uneven.");
   }
+  remarks.insert(remarks.end(), lineRemarks_.begin(), lineRemarks_.end());
   return remarks;
 }
 

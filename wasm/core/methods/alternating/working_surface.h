@@ -37,7 +37,14 @@ class WorkingSurface {
   /// Edges of the surface between vertices that the input has too: two vertices each.
   std::vector<Index> linesOnInput(const std::vector<bool>& edges) const;
   std::vector<Index> linesOnInput(const VertexChains& chains) const;
-  /// What was done to the faces, a sentence each.
+  /// Whether a vertex of the input moves with the surface; without faces it moves as a handle only.
+  bool carries(Index vertex) const {
+    const Transfer::Place& place = transfer_->place(vertex);
+    return place.twin >= 0 || place.face >= 0;
+  }
+  /// Whether its faces are others than the input's.
+  bool isOther() const { return isRemeshed_ || mended_ > 0; }
+  /// What was done to the faces, and which marked lines mark nothing, a sentence each.
   std::vector<std::string> remarks() const;
 
  private:
@@ -61,6 +68,7 @@ class WorkingSurface {
   RemeshCause cause_ = RemeshCause::none;  // why it was cut anew
   bool isRemeshed_ = false;
   Index mended_ = 0, unmended_ = 0;  // slivers
+  std::vector<std::string> lineRemarks_;
 
   // While they go on
   std::unique_ptr<Remesher> remesher_;
