@@ -1,5 +1,6 @@
 #include "methods/alternating/alternation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,23 +22,26 @@ void Alternation::begin(const RestSurface& surface, const EnergyWeights& weights
   vertices_ = &vertices;
   system_ = &transformations;
   limits_ = limits;
-  positions_ = best_ = surface.mesh.positions;
+  positions_ = best_ = start_ = surface.mesh.positions;
+  acceleration_.begin(limits.isAccelerated ? surface.vertexCount() : 0);
   halfEdges_.resize(surface.halfEdgeCount(), 3);
   tau_.assign(surface.faceCount(), Mat3::Identity());
   goals_ = restGoals(surface);
   stage_ = Stage::assembling;
   next_ = positions_;
   iterations_ = 0;
+  moved_.clear();
+  moved_.reserve(limits.iterations);
   bestEnergy_ = std::numeric_limits<double>::infinity();
 }
 
 void Alternation::resume(const Points& positions) {
-  positions_ = positions;
+  positions_ = start_ = positions;
   beginTransformations();
 }
 
 void Alternation::beginTransformations() {
-  halfEdgeVectors(positions_, surface_->mesh.triangles, halfEdges_);
+  halfEdgeVectors(start_, surface_->mesh.triangles, halfEdges_);
   system_->beginSolve(halfEdges_, limits_.transformations, tau_);
   stage_ = Stage::transformations;
 }
@@ -91,8 +95,18 @@ Status Alternation::report(StepReport& report) {
   const double out = moveOutOfFaces();
   positions_.swap(next_);
   report = {judge(energy, move, out), energy, move};
-  if (report.outcome == Outcome::running) beginTransformations();
+  if (report.outcome != Outcome::running) return {};
+  chooseStart();
+  beginTransformations();
   return {};
+}
+
+/// Says where the next iteration starts from.
+void Alternation::chooseStart() {
+  if (limits_.isAccelerated && iterations_ >= kFirstTested)
+    acceleration_.next(positions_, start_);
+  else
+    start_ = positions_;
 }
 
 /// What slides within plane sides is not seen.
@@ -107,8 +121,15 @@ double Alternation::moveOutOfFaces() const {
   return largest;
 }
 
+/// What the last fifth of the iterations moved, three at least.
+double Alternation::lateMove() const {
+  const std::size_t count = moved_.size(), late = std::max<std::size_t>(3, (count + 4) / 5);
+  return moved_.back() - (count > late ? moved_[count - late - 1] : 0);
+}
+
 Outcome Alternation::judge(double energy, double move, double moveOutOfFaces) {
   ++iterations_;
+  moved_.push_back((moved_.empty() ? 0 : moved_.back()) + move);
   const double decrease = energyBefore_ - energy;
   energyBefore_ = energy;
   if (energy < bestEnergy_) {
@@ -116,12 +137,18 @@ Outcome Alternation::judge(double energy, double move, double moveOutOfFaces) {
     best_ = positions_;
   }
   if (iterations_ >= kFirstTested) {
+    if (decrease <= 0 && acceleration_.isMixing() && iterations_ < limits_.iterations) {
+      acceleration_.forget();
+      positions_ = start_ = best_;
+      energyBefore_ = bestEnergy_;
+      return Outcome::running;
+    }
     if (decrease <= 0) {
       positions_ = best_;
       return Outcome::converged;
     }
     if (move < kStillShare * surface_->averageLength) return Outcome::converged;
-    if (decrease < kLeastDecrease / std::abs(energy)) return Outcome::converged;
+    if (decrease < kLeastDecrease / std::abs(energy) && lateMove() < limits_.lateMove) return Outcome::converged;
     const double fifth = iterations_ / 5.0;
     if (moveOutOfFaces * fifth < limits_.unseenMove && move * fifth < limits_.unseenSlide) return Outcome::converged;
   }

@@ -1,6 +1,10 @@
 // Read first: README.md beside this, from equation to file, and wasm/reference, the same alternation in plain Eigen.
 #pragma once
 
+#include <limits>
+#include <vector>
+
+#include "methods/alternating/anderson.h"
 #include "methods/alternating/transformation_system.h"
 #include "methods/alternating/vertex_system.h"
 #include "methods/method.h"
@@ -16,6 +20,11 @@ struct AlternationLimits {
   /// out of their faces, and of vertices at all. 0: as printed, only moves below a hundredth of the mean edge end the
   /// run.
   double unseenMove = 0, unseenSlide = 0;
+  /// What the last fifth of the iterations may have moved for a run to end because its energy hardly falls. Infinite as
+  /// printed, where shapes are left on their way.
+  double lateMove = std::numeric_limits<double>::infinity();
+  /// Whether iterations are accelerated: they end where those that are not would go if they were let.
+  bool isAccelerated = false;
 };
 
 /// The alternating solves of a run: vertices for given transformations, transformations for given vertices. It ends when
@@ -42,7 +51,9 @@ class Alternation {
   void setGoals();
   Status report(StepReport& report);
   double moveOutOfFaces() const;
+  double lateMove() const;
   Outcome judge(double energy, double move, double moveOutOfFaces);
+  void chooseStart();
 
   const RestSurface* surface_ = nullptr;
   EnergyWeights weights_;
@@ -52,11 +63,14 @@ class Alternation {
 
   Stage stage_ = Stage::assembling;
   Points positions_, best_;
+  Points start_;  // what the transformations are to suit: the positions, or what they seem to be going to
+  Anderson acceleration_;
   Points next_;       // while the vertex solve goes on
   Points halfEdges_;  // e, 3#F×3
   Transformations tau_;
   EdgeGoals goals_;
   int iterations_ = 0;
+  std::vector<double> moved_;  // by each iteration and those before, at most
   double energyBefore_ = 0, bestEnergy_ = 0;
 };
 

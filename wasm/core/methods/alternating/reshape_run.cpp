@@ -16,6 +16,8 @@ constexpr double kMissed = 0.005;
 constexpr double kMostFlipped = 0.01;
 /// What of the diagonal nobody sees, out of faces and along them.
 constexpr double kUnseenMove = 1e-4, kUnseenSlide = 5e-4;
+/// What of the diagonal the last fifth of a run may move.
+constexpr double kLateMove = 0.0018;
 
 std::vector<PointRow> joined(const RunRows& rows) {
   std::vector<PointRow> all = rows.handles;
@@ -103,6 +105,8 @@ void ReshapeRun::limit(bool finalize, int maxIterations) {
 AlternationLimits ReshapeRun::limits() const {
   AlternationLimits limits;
   limits.iterations = maxIterations_;
+  limits.isAccelerated = isAccelerated_;
+  if (isAccelerated_) limits.lateMove = kLateMove * settings_.diagonal;
   if (settings_.reading == Reading::tuned && settings_.variant == Variant::slippage) {
     limits.unseenMove = kUnseenMove * settings_.diagonal;
     limits.unseenSlide = kUnseenSlide * settings_.diagonal;
@@ -125,6 +129,7 @@ void ReshapeRun::Attempt::begin(const AlternationLimits& limits) {
 
 void ReshapeRun::begin() {
   isDone_ = hasBest_ = false;
+  isAccelerated_ = settings_.reading == Reading::tuned;
   remarks_.clear();
   resumed_.reset();
   setRung(Rung::full);
@@ -195,6 +200,12 @@ Status ReshapeRun::finish(Attempt& attempt) {
     hasBest_ = true;
   }
   const bool hasLadder = settings_.variant == Variant::slippage && settings_.reading == Reading::tuned;
+  if (isAccelerated_ && !folds.isClean()) {
+    // What is shortened much folds at the end of its way, where acceleration leads, and not yet on it.
+    isAccelerated_ = false;
+    setRung(rung_);
+    return {};
+  }
   if (hasLadder && !folds.isClean() && rung_ != Rung::none) {
     setRung(static_cast<Rung>(static_cast<int>(rung_) + 1));
     return {};

@@ -89,6 +89,7 @@ class ReshapeRun {
   int maxIterations_ = 100;
   const RestSurface* rest_ = nullptr;
   std::vector<bool> keptPatches_;
+  bool isAccelerated_ = true;
   Rung rung_ = Rung::full;
   std::unique_ptr<Attempt> first_;           // from the rest shape
   std::unique_ptr<Attempt> second_;          // from what the first came to, if it missed a handle
