@@ -68,6 +68,8 @@ void VectorFieldSystem::beginPrepare(const Points& coordinates) {
   }
   mean_.outerIndexPtr()[size()] = place;
   average();
+  preparedMean_ = Eigen::Map<const Scalars>(mean_.valuePtr(), mean_.nonZeros());
+  isLeft_ = false;
   std::vector<Index> rowOf(size());
   std::iota(rowOf.begin(), rowOf.end(), 0);
   cholesky_.beginAnalyze(mean_, {.coordinates = &coordinates}, std::move(rowOf), size());
@@ -89,6 +91,17 @@ Status VectorFieldSystem::prepareNext(double& share) {
     if (share < 1) share = kAnalyzing + (1 - kAnalyzing) * share;
   }
   return status;
+}
+
+bool VectorFieldSystem::beginAnew() {
+  scale_ = std::numeric_limits<double>::infinity();
+  if (isLeft_) {
+    isLeft_ = isRefreshing_ = false;
+    Eigen::Map<Scalars>(mean_.valuePtr(), mean_.nonZeros()) = preparedMean_;
+    cholesky_.beginFactorize(mean_, true);
+    stage_ = Stage::factoring;
+  }
+  return stage_ == Stage::done;
 }
 
 void VectorFieldSystem::subtractProduct(const Points& X) {
@@ -193,7 +206,7 @@ Status VectorFieldSystem::improveNext(bool& isDone) {
   if (isDone) return {};
   average();
   cholesky_.beginFactorize(mean_, true);
-  isRefreshing_ = true;
+  isLeft_ = isRefreshing_ = true;
   return {};
 }
 

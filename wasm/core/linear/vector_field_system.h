@@ -33,6 +33,10 @@ class VectorFieldSystem {
   void beginPrepare(const Points& coordinates);
   Status prepareNext(double& share);
 
+  /// Begins a row of solves that depends on none before: values that were solved for in between are forgotten. Returns
+  /// whether that is done; else `prepareNext` brings the preconditioner back that was prepared.
+  bool beginAnew();
+
   /// Begins to move X (#nodes×3) nearer to the solution of A X = B; `improveNext` does it. Neither allocates, but where
   /// the present values have left the preconditioner behind and it is taken anew. B and X are kept by the caller until
   /// the end.
@@ -76,7 +80,9 @@ class VectorFieldSystem {
   LaneRows rows_, correction_;  // #nodes + 1, the last one spare
   LaneGradients gradients_;
 
-  SparseMatrix mean_;  // lower triangle
+  SparseMatrix mean_;     // lower triangle
+  Scalars preparedMean_;  // its entries when it was prepared
+  bool isLeft_ = false;   // whether the preconditioner is of other values than these
   SparseCholesky cholesky_;
   enum class Stage { analyzing, factoring, done } stage_ = Stage::analyzing;
 };

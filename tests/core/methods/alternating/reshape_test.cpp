@@ -170,6 +170,23 @@ TEST_CASE("a run that goes on from the gesture before ends near the one from res
   CHECK((warm - whole.run().positions).rowwise().norm().maxCoeff() < 0.01 * std::hypot(2.83, kHeight));
 }
 
+TEST_CASE("a run from rest gives the very bits that it gives alone, whatever ran before") {
+  for (const char* variant : {"slippage", "alup", "poisson"}) {
+    Reshaping far = pulledCylinder(false, 2.5), near = pulledCylinder(false, 1.3);
+    far.variant = near.variant = variant;
+    Session session;
+    REQUIRE(session.load(near.mesh).ok());
+    REQUIRE(session.select("reshape").ok());
+    REQUIRE(session.set("variant", encoded(std::string(variant))).ok());
+    for (const Reshaping* gesture : {&near, &far, &near}) {
+      session.restart();
+      REQUIRE(session.set("handles", encoded(gesture->handles)).ok());
+      REQUIRE(session.prepare().ok());
+      CHECK(finish(session).positions == gesture->run().positions);
+    }
+  }
+}
+
 TEST_CASE("a wall that is pulled across stays as thick as it is") {
   // An L: an upright of seven cubes, and six more lying at its foot.
   Reshaping reshaping{blocks({{0, 0, 0},

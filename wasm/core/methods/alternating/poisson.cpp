@@ -24,6 +24,9 @@ void PoissonRun::aim(const std::vector<Vec3>& targets) {
 Status PoissonRun::step(StepReport& report) {
   positions_ = surface_->mesh.positions;
   system_.assemblePoisson();
+  for (double share = system_.beginRun() ? 1 : 0; share < 1;) {
+    if (Status status = system_.prepareNext(share); !status.ok()) return status;
+  }
   if (Status status = system_.solve(kTolerance, positions_); !status.ok()) return status;
   report.energy = rowEnergy(system_.rows(), positions_);
   for (Index h = 0; h < surface_->halfEdgeCount(); ++h) {

@@ -123,6 +123,8 @@ void ReshapeRun::setRung(Rung rung) {
   first_->setTerms(ReshapeTerms::of(settings_.variant, settings_.reading, rung), keptPatches_);
 }
 
+void ReshapeRun::Attempt::forgetRuns() { areVerticesReady_ = vertices.beginRun(); }
+
 void ReshapeRun::Attempt::begin(const AlternationLimits& limits) {
   alternation.begin(surface, terms.weights, vertices, transformations, limits);
 }
@@ -133,6 +135,7 @@ void ReshapeRun::begin() {
   remarks_.clear();
   resumed_.reset();
   setRung(Rung::full);
+  first_->forgetRuns();
   shown_ = rest_->mesh.positions;
 }
 

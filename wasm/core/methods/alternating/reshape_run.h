@@ -66,6 +66,8 @@ class ReshapeRun {
     void setTerms(const ReshapeTerms& wanted, const std::vector<bool>& keptPatches);
     void setRows(std::vector<PointRow> rows);
     Status prepareNext(double& share);
+    /// Makes the run that comes one that depends on none before.
+    void forgetRuns();
     void begin(const AlternationLimits& limits);
 
    private:

@@ -26,6 +26,8 @@ class VertexSystem {
   /// Begins to analyze and factor what is assembled; `prepareNext` does it slice by slice (`linear/slices.h`).
   void beginPrepare() { system_.beginPrepare(surface_->mesh.positions); }
   Status prepareNext(double& share) { return system_.prepareNext(share); }
+  /// Begins a run that depends on none before; false where `prepareNext` has something to do for it.
+  bool beginRun() { return system_.beginAnew(); }
   /// Begins to move positions, which the caller keeps, to the minimum, all but a share `tolerance` of what is left;
   /// `solveNext` does it slice by slice. Fails with `numericalFailure`.
   void beginSolve(double tolerance, Points& positions);
