@@ -12,7 +12,7 @@ export async function collapsed(made: Case, shape: Shape): Promise<string> {
     const { positions, warnings } = await reshaped(shape, handles);
     const { flipped } = new Judge(shape).measure(positions, handles);
     if (flipped === 0) return 'nothing turns over';
-    const isSaid = warnings.some((warning) => warning.includes('fold over'));
+    const isSaid = warnings.some((warning) => /(fold|turns?) over/.test(warning));
     return `${flipped} of ${shape.triangles.length / 3} turn over, ${isSaid ? 'and it says so' : '**unsaid**'}`;
   } catch (error) {
     return (error as Error).message.includes('inside out') ? 'refused' : (error as Error).message;

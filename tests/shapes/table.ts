@@ -1,6 +1,6 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { markdownTable, median, percent } from '../benchmarks/numbers.ts';
-import { cases } from './cases.ts';
+import { type Case, cases } from './cases.ts';
 import { collapseTable } from './collapses.ts';
 import { limits, offSize, shortfalls } from './limits.ts';
 import type { Kept } from './measures.ts';
@@ -9,29 +9,39 @@ import { byMesh, byMethod, type Judged, type Trial } from './trials.ts';
 
 const file = 'docs/reshaping.md';
 
-/** All shapes and gestures; `--write` keeps the tables in docs/reshaping.md, a word picks shapes by their names. */
+/**
+ * All shapes and gestures; `--write` keeps the tables in docs/reshaping.md, `--only=collapses` makes that table alone (or
+ * `sameness`), a word picks shapes by their names.
+ */
 export async function tabulate(args: readonly string[]): Promise<void> {
   const word = args.find((arg) => !arg.startsWith('--')) ?? '';
+  const only = args.find((arg) => arg.startsWith('--only='))?.slice('--only='.length);
+  const chosen = cases.filter(({ name }) => name.includes(word));
+  const tables: Record<string, string> = {};
+  if (!only) Object.assign(tables, await trialTables(chosen));
+  if (!only || only === 'sameness') tables.sameness = await samenessTable(chosen);
+  if (!only || only === 'collapses') tables.collapses = await collapseTable(chosen);
+  for (const [name, table] of Object.entries(tables)) console.log(`\n${name}\n\n${table}`);
+  if (args.includes('--write')) writeFileSync(file, replaced(readFileSync(file, 'utf8'), tables));
+}
+
+/** The tables that go by the limits and measures of every gesture. */
+async function trialTables(chosen: readonly Case[]): Promise<Record<string, string>> {
   const methods: Trial[] = [];
   const meshes: Trial[] = [];
-  const chosen = cases.filter(({ name }) => name.includes(word));
   for (const made of chosen) {
     console.error(`${made.name} …`);
     methods.push(...(await byMethod(made)));
     meshes.push(...(await byMesh(made)));
   }
-  const tables = {
+  return {
     methods: limitTable(methods),
     meshes: limitTable(meshes),
     shortfalls: shortfallTable(meshes),
     walls: wallTable(meshes),
     unrest: unrestTable(meshes),
-    sameness: await samenessTable(chosen),
-    collapses: await collapseTable(chosen),
     gestures: gestureTable(methods),
   };
-  for (const [name, table] of Object.entries(tables)) console.log(`\n${name}\n\n${table}`);
-  if (args.includes('--write')) writeFileSync(file, replaced(readFileSync(file, 'utf8'), tables));
 }
 
 /** The text with each table between its two marks. */
