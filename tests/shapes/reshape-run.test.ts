@@ -38,8 +38,6 @@ describe.each(shapes)('$name', (shape) => {
 });
 
 test.each([
-  ['drilled plate', 'shorten'],
-  ['pegs on a board', 'lengthen'],
   ['nut', 'widen'],
   ['ring', 'pull'],
   ['wineglass', 'raise by points'],

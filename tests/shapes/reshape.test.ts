@@ -25,7 +25,6 @@ const rows: Row[] = [
   ['lamp', 'raise by points', 1],
   ['wineglass', 'raise', 2],
   ['wineglass', 'raise by points', 1],
-  ['handset', 'shorten', 2],
   ['ball', 'pull', 2],
   ['hemisphere', 'pull', 2],
   ['ring', 'pull', 2],
