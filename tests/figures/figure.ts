@@ -1,4 +1,13 @@
+import type { Handles } from '../../src/methods/values/handles.ts';
 import type { Hand } from './hand.ts';
+
+/** What a figure came to, from what the page exports. */
+export interface Outcome {
+  /** #V×3, in the mesh’s own units. */
+  readonly positions: Float64Array<ArrayBuffer>;
+  /** What was held where in its last step; none where nothing was. */
+  readonly handles: Handles;
+}
 
 /** A mesh that is not the one which the page opens with. */
 export interface FigureMesh {
@@ -23,6 +32,8 @@ export interface Figure {
   readonly differs?: string;
   readonly mesh?: FigureMesh;
   readonly act: (hand: Hand) => Promise<void>;
+  /** Expects of the outcome, of a mesh that is exported as OBJ, what the paper says of its figure. */
+  readonly claims?: (outcome: Outcome) => void;
   /** The tool that is in hand on the picture, for what it draws; else that which turns the view. */
   readonly shows?: string;
   /** How one looks at it in the end: drags with the tool that turns the view. */

@@ -5,7 +5,8 @@ import { afterAll, expect, it } from 'vitest';
 import { picture } from '../browser/support/browser.ts';
 import { exported, shapedHeadless } from '../browser/support/headless.ts';
 import { usePage } from '../browser/support/use-page.ts';
-import type { FigureMesh } from './figure.ts';
+import { objPositions } from '../fixtures/mesh-files.ts';
+import type { FigureMesh, Outcome } from './figure.ts';
 import { figures } from './figures.ts';
 import { Hand } from './hand.ts';
 import { Showroom } from './showroom.ts';
@@ -33,11 +34,20 @@ it.each(figures)(
     const shaped = await exported(page, mesh?.format ?? 'glTF binary');
     const ball = recipe.bytes.includes('strength.png') ? [await hand.savesBall()] : [];
     expect((await shapedHeadless(recipe, pathOf(mesh), ball)).equals(shaped.bytes)).toBe(true);
+    figure.claims?.(outcomeOf(recipe.bytes, shaped.bytes));
     await showroom?.take(figure, hand, [{ ...recipe, name: `${figure.id}.whittle.json` }, ...ball]);
   },
 );
 
 afterAll(() => showroom?.open(figures));
+
+function outcomeOf(recipe: Buffer, obj: Buffer): Outcome {
+  const step = JSON.parse(recipe.toString()).steps.at(-1);
+  return {
+    positions: Float64Array.from(objPositions(obj.toString())),
+    handles: step.handles ?? { vertices: [], targets: [] },
+  };
+}
 
 /** Where the mesh lies as a file. */
 function pathOf(mesh?: FigureMesh): string {

@@ -2,6 +2,7 @@ import type { Figure } from './figure.ts';
 import { heldFigures } from './held.ts';
 import { polyhedronFigures } from './polyhedra.ts';
 import { posedFigures } from './posed.ts';
+import { reshapedFigures } from './reshaped.ts';
 import { strengthFigures } from './strength.ts';
 
 /** In the order of the papers. */
@@ -10,4 +11,5 @@ export const figures: readonly Figure[] = [
   ...strengthFigures,
   ...polyhedronFigures,
   ...posedFigures,
+  ...reshapedFigures,
 ];

@@ -45,6 +45,16 @@ export class Hand {
     await this.rests();
   }
 
+  /** Chooses one of several in a list that opens. */
+  async picks(label: string, option: string): Promise<void> {
+    await this.page
+      .locator('label', { hasText: label })
+      .locator('select')
+      .first()
+      .selectOption({ label: option });
+    await this.rests();
+  }
+
   /** Opens a fold. */
   unfolds(title: string): Promise<void> {
     return this.page.locator('summary').getByText(title, { exact: true }).click();
