@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "methods/alternating/handle_errors.h"
+#include "methods/alternating/kept_sizes.h"
 
 namespace whittle {
 
@@ -229,6 +230,7 @@ Status ReshapeRun::judge() {
     remarks_.push_back("Of the faces " + std::to_string(bestFolds_.flipped) +
                        " fold over; a smaller move, or more handles, may help.");
   }
+  addSizeRemark();
   const double error = handleError(best_);
   if (error > kMissed) {
     char text[160];
@@ -240,6 +242,18 @@ Status ReshapeRun::judge() {
     remarks_.push_back(text);
   }
   return {};
+}
+
+void ReshapeRun::addSizeRemark() {
+  if (settings_.variant != Variant::slippage || settings_.reading != Reading::tuned) return;
+  const SizeReport sizes = findChangedSizes(*rest_, first_->structure.patches, keptPatches_, best_);
+  if (sizes.changed == 0) return;
+  const bool isOne = sizes.changed == 1;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "Of the holes, round parts and bevels %d %s by this gesture; the farthest is %.2f times what it was.",
+                static_cast<int>(sizes.changed), isOne ? "changes its size" : "change their size", sizes.most);
+  remarks_.push_back(text);
 }
 
 void ReshapeRun::repeat() {

@@ -83,6 +83,7 @@ class ReshapeRun {
   void findSecondStructure();
   Status spread(Attempt& attempt);
   Status judge();
+  void addSizeRemark();
   double handleError(const Points& positions) const;
 
   RunSettings settings_;
