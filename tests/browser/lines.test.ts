@@ -6,6 +6,7 @@ import { violations } from './support/axe.ts';
 import { carved, drop } from './support/browser.ts';
 import { done, type Place, takeTool } from './support/hands.ts';
 import { exported } from './support/headless.ts';
+import { browserName } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();
@@ -93,7 +94,9 @@ it('marks lines across a side as straight, by keys; Alt only takes away; and pas
   expect(straight![0]!.length).toBeGreaterThan(2);
   expect(await page.locator('.marked-lines').innerText()).toBe('Straight lines: 1 line');
   expect(await violations(page)).toEqual([]);
-  await page.locator('[data-clear=straight]').click();
+  const clear = page.locator('[data-clear=straight]');
+  // The page has lost the focus to the export in Firefox, where a script cannot give it back, and keys press no button.
+  await (browserName === 'firefox' ? clear.click() : clear.press('Enter'));
   await done(page, 'Unmark straight lines');
   expect(await page.locator('.marked-lines').count()).toBe(0);
 });

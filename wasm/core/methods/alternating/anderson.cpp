@@ -7,7 +7,8 @@ namespace whittle {
 
 namespace {
 
-/// Of the largest product: what is nearly a combination of the others says nothing.
+/// The share of the largest product that is added to the diagonal, so that changes which are nearly combinations of the
+/// others count for nothing.
 constexpr double kRegularizer = 1e-10;
 
 }  // namespace
