@@ -46,6 +46,24 @@ export async function reshaped(
   }
 }
 
+/** Runs to their ends, each from where the one before ended, as a drag that rests at each place. @returns positions, #V×3 */
+export async function dragged(mesh: TestMesh, places: readonly Handles[]): Promise<Float64Array[]> {
+  const session = (await testCore()).open();
+  try {
+    session.load(mesh.positions, mesh.triangles);
+    return places.map((handles) => {
+      configure(session, mesh, 'reshape', { handles });
+      prepare(session);
+      for (let isGoing = true; isGoing; ) isGoing = ['running', 'midway'].includes(session.step().outcome);
+      const positions = new Float64Array(mesh.positions.length);
+      session.copyPositions(positions);
+      return positions;
+    });
+  } finally {
+    session.free();
+  }
+}
+
 /** How a run was refused; undefined if it was not. */
 export async function refusal(
   mesh: TestMesh,

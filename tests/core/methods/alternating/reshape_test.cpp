@@ -187,6 +187,25 @@ TEST_CASE("a run from rest gives the very bits that it gives alone, whatever ran
   }
 }
 
+TEST_CASE("a drag that is overtaken in the middle of an iteration leaves no trace in the run from rest") {
+  const Reshaping whole = pulledCylinder(false, 1.6);
+  const Points alone = whole.run().positions;
+  for (int slices = 1; slices <= 16; slices *= 2) {
+    Session session;
+    REQUIRE(session.load(whole.mesh).ok());
+    REQUIRE(session.select("reshape").ok());
+    StepReport report;
+    for (const double factor : {1.2, 1.3, 1.6}) {
+      REQUIRE(session.set("handles", encoded(pulledCylinder(false, factor).handles)).ok());
+      REQUIRE(session.prepare().ok());
+      for (int slice = 0; slice < slices; ++slice) REQUIRE(session.step(report).ok());
+    }
+    session.restart();
+    REQUIRE(session.prepare().ok());
+    CHECK(finish(session).positions == alone);
+  }
+}
+
 TEST_CASE("a wall that is pulled across stays as thick as it is") {
   // An L: an upright of seven cubes, and six more lying at its foot.
   Reshaping reshaping{blocks({{0, 0, 0},

@@ -27,7 +27,7 @@ void Alternation::begin(const RestSurface& surface, const EnergyWeights& weights
   halfEdges_.resize(surface.halfEdgeCount(), 3);
   tau_.assign(surface.faceCount(), Mat3::Identity());
   goals_ = restGoals(surface);
-  stage_ = Stage::assembling;
+  stage_ = firstStage_ = Stage::assembling;
   next_ = positions_;
   iterations_ = 0;
   moved_.clear();
@@ -37,13 +37,12 @@ void Alternation::begin(const RestSurface& surface, const EnergyWeights& weights
 
 void Alternation::resume(const Points& positions) {
   positions_ = start_ = positions;
-  beginTransformations();
+  stage_ = firstStage_ = Stage::beginning;
 }
 
 void Alternation::beginTransformations() {
   halfEdgeVectors(start_, surface_->mesh.triangles, halfEdges_);
   system_->beginSolve(halfEdges_, limits_.transformations, tau_);
-  stage_ = Stage::transformations;
 }
 
 void Alternation::setGoals() {
@@ -66,6 +65,10 @@ void Alternation::setGoals() {
 Status Alternation::iterate(StepReport& report) {
   report.outcome = Outcome::midway;
   switch (stage_) {
+    case Stage::beginning:
+      beginTransformations();
+      stage_ = Stage::transformations;
+      [[fallthrough]];
     case Stage::transformations:
       if (!system_->solveNext()) return {};
       setGoals();
@@ -97,7 +100,7 @@ Status Alternation::report(StepReport& report) {
   report = {judge(energy, move, out), energy, move};
   if (report.outcome != Outcome::running) return {};
   chooseStart();
-  beginTransformations();
+  stage_ = firstStage_ = Stage::beginning;
   return {};
 }
 

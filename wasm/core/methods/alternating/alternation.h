@@ -36,6 +36,8 @@ class Alternation {
              TransformationSystem& transformations, const AlternationLimits& limits);
   /// Starts from positions that an earlier run of the same surface came to: transformations are those that suit them.
   void resume(const Points& positions);
+  /// Lets the run go on after another one has used its systems: an iteration that was midway is begun anew.
+  void takeUp() { stage_ = firstStage_; }
 
   /// Does a slice of an iteration; all but its last ones report `midway`. Allocates nothing. Fails with
   /// `numericalFailure`.
@@ -45,7 +47,7 @@ class Alternation {
   const Transformations& transformations() const { return tau_; }
 
  private:
-  enum class Stage { assembling, vertices, transformations };
+  enum class Stage { beginning, transformations, assembling, vertices };
 
   void beginTransformations();
   void setGoals();
@@ -61,7 +63,7 @@ class Alternation {
   TransformationSystem* system_ = nullptr;
   AlternationLimits limits_;
 
-  Stage stage_ = Stage::assembling;
+  Stage stage_ = Stage::assembling, firstStage_ = Stage::assembling;  // now; of this iteration
   Points positions_, best_;
   Points start_;  // what the transformations are to suit: the positions, or what they seem to be going to
   Anderson acceleration_;

@@ -12,14 +12,10 @@ namespace whittle {
 
 namespace {
 
-/// Handles that are farther from a straight continuation of a gesture, as a share of its length, are another gesture.
-constexpr double kStraightOn = 0.25;
 /// Rounding of a target that is where its vertex is.
 constexpr double kNoMove = 1e-9;
 /// Targets farther away than so many times the longest side are a mistake.
 constexpr double kFarthest = 1e3;
-/// How many times the gesture before may be taken.
-constexpr double kMostTimes = 3;
 
 /// The print has no term for the thickness of walls.
 bool keepsWalls(const ReshapeParameters& values) {
@@ -146,13 +142,11 @@ std::vector<PointRow> Reshape::aimed(const ReshapeParameters& values) const {
 }
 
 void Reshape::setGesture() {
-  handleMoves_.clear();
   isGesture_ = false;
   for (std::size_t h = 0; h < handles_.vertices.size(); ++h) {
-    const auto i = static_cast<Index>(h);
-    handleMoves_.push_back((handles_.targets.row(i) - rest_->positions.row(handles_.vertices[h])).transpose());
+    const Vec3 move = handles_.targets.row(static_cast<Index>(h)) - rest_->positions.row(handles_.vertices[h]);
     // A target in the file's units comes back from them with a rounding.
-    isGesture_ = isGesture_ || handleMoves_.back().norm() > kNoMove;
+    isGesture_ = isGesture_ || move.norm() > kNoMove;
   }
 }
 
@@ -179,27 +173,11 @@ void Reshape::begin(Points& positions) {
     return;
   }
   if (variant_ == Variant::poisson) return;
-  const double times = shareOfGestureBefore();
-  if (positions == rest_->positions || positions.rows() != emitted_.rows() || positions != emitted_ || times <= 0) {
+  const bool isAtRest = positions == rest_->positions;
+  if (isAtRest || positions.rows() != emitted_.rows() || positions != emitted_)
     run_.begin();
-    return;
-  }
-  const Points& rest = working_.surface().mesh.positions;
-  run_.resume(rest + times * (workingPositions_ - rest));
-}
-
-double Reshape::shareOfGestureBefore() const {
-  if (movesBefore_.size() != handleMoves_.size()) return 0;
-  double dot = 0, squared = 0, length = 0;
-  for (std::size_t h = 0; h < handleMoves_.size(); ++h) {
-    dot += handleMoves_[h].dot(movesBefore_[h]);
-    squared += movesBefore_[h].squaredNorm();
-    length += handleMoves_[h].squaredNorm();
-  }
-  if (squared == 0) return 0;
-  const double times = dot / squared;
-  const double off = length - times * dot;
-  return off <= kStraightOn * kStraightOn * length ? std::clamp(times, 0.0, kMostTimes) : 1;
+  else
+    run_.resume();
 }
 
 Status Reshape::step(Points& positions, StepReport& report) {
@@ -219,7 +197,6 @@ Status Reshape::step(Points& positions, StepReport& report) {
       positions.row(handles_.vertices[h]) = handles_.targets.row(static_cast<Index>(h));
   }
   emitted_ = positions;
-  movesBefore_ = handleMoves_;
   return {};
 }
 

@@ -32,8 +32,6 @@ class Reshape final : public MethodOf<ReshapeParameters> {
   void setGesture();
   /// Faces of the file that turn over while the surface that they follow does not.
   Index turnedOnTheWayBack() const;
-  /// The gesture as a multiple of the one that the last result is of; 0 where there is none.
-  double shareOfGestureBefore() const;
 
   const TriangleMesh* rest_ = nullptr;
   Variant variant_ = Variant::slippage;
@@ -46,10 +44,9 @@ class Reshape final : public MethodOf<ReshapeParameters> {
   Handles handles_;
   std::vector<bool> keptWalls_;
   std::vector<std::string> straightRemarks_;
-  bool isGesture_ = false;                       // whether a handle is to move
-  std::vector<Vec3> handleMoves_, movesBefore_;  // of this gesture; of the one that `emitted_` is of
-  Points emitted_;                               // the positions that the last step left, of the input
-  Points workingPositions_;                      // those of the working mesh that they came from
+  bool isGesture_ = false;   // whether a handle is to move
+  Points emitted_;           // the positions that the last step left, of the input
+  Points workingPositions_;  // those of the working mesh that they came from
 };
 
 /// Registry line of the method `reshape`.

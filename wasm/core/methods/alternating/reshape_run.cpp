@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "methods/alternating/gesture.h"
 #include "methods/alternating/handle_errors.h"
 #include "methods/alternating/kept_sizes.h"
 
@@ -19,6 +20,8 @@ constexpr double kMostFlipped = 0.01;
 constexpr double kUnseenMove = 1e-4, kUnseenSlide = 5e-4;
 /// What of the diagonal the last fifth of a run may move.
 constexpr double kLateMove = 0.0018;
+/// Iterations of a dragged shape before its run from rest.
+constexpr int kAnswers = 6;
 
 std::vector<PointRow> joined(const RunRows& rows) {
   std::vector<PointRow> all = rows.handles;
@@ -64,6 +67,8 @@ void ReshapeRun::shape(const RestSurface& rest, const Structure& structure, cons
   rows_ = std::move(rows);
   rest_ = &rest;
   second_.reset();
+  behind_.forget();
+  shownTargets_.clear();
   first_ = std::make_unique<Attempt>();
   first_->surface = rest;
   first_->structure = structure;
@@ -90,11 +95,13 @@ std::vector<bool> ReshapeRun::findKeptPatches(const Structure& structure) const 
 }
 
 void ReshapeRun::aim(const std::vector<Vec3>& targets) {
+  targets_ = targets;
   for (std::size_t h = 0; h < targets.size(); ++h) rows_.handles[h].target = targets[h];
-  std::copy(rows_.handles.begin(), rows_.handles.end(), first_->vertices.rows().begin());
+  aimRows(targets);
   std::vector<bool> kept = findKeptPatches(first_->structure);
   if (kept == keptPatches_) return;
   keptPatches_ = std::move(kept);
+  behind_.stop();
   first_->setTerms(first_->terms, keptPatches_);
 }
 
@@ -121,6 +128,7 @@ void ReshapeRun::setRung(Rung rung) {
   isReady_ = false;
   if (rung == rung_) return;
   rung_ = rung;
+  behind_.stop();
   first_->setTerms(ReshapeTerms::of(settings_.variant, settings_.reading, rung), keptPatches_);
 }
 
@@ -130,20 +138,69 @@ void ReshapeRun::Attempt::begin(const AlternationLimits& limits) {
   alternation.begin(surface, terms.weights, vertices, transformations, limits);
 }
 
-void ReshapeRun::begin() {
+void ReshapeRun::reset() {
   isDone_ = hasBest_ = false;
   isAccelerated_ = settings_.reading == Reading::tuned;
+  isShowing_ = true;
+  isDragged_ = false;
+  answersLeft_ = 0;
   remarks_.clear();
   resumed_.reset();
+  isBehindsTurn_ = false;
+  aimRows(targets_);
   setRung(Rung::full);
   first_->forgetRuns();
-  shown_ = rest_->mesh.positions;
 }
 
-void ReshapeRun::resume(const Points& positions) {
-  begin();
+void ReshapeRun::begin() {
+  reset();
+  behind_.stop();
+  shown_ = rest_->mesh.positions;
+  shownTargets_.clear();
+}
+
+void ReshapeRun::resume() {
+  std::optional<Points> start = startOfGesture();
+  if (!start) {
+    begin();
+    return;
+  }
+  reset();
+  isDragged_ = true;
+  answersLeft_ = kAnswers;
+  shown_ = *start;
+  resumed_ = std::move(start);
+}
+
+void ReshapeRun::aimRows(const std::vector<Vec3>& targets) {
+  for (std::size_t h = 0; h < targets.size(); ++h) first_->vertices.rows()[h].target = targets[h];
+}
+
+std::vector<Vec3> ReshapeRun::movesTo(const std::vector<Vec3>& targets) const {
+  std::vector<Vec3> moves;
+  for (std::size_t h = 0; h < targets.size(); ++h) {
+    const PointRow& handle = rows_.handles[h];
+    moves.push_back(targets[h] - handle.target - handle.residual(rest_->mesh.positions));
+  }
+  return moves;
+}
+
+void ReshapeRun::show(const Points& positions) {
   shown_ = positions;
-  resumed_ = positions;
+  shownTargets_ = targets_;
+}
+
+/// The share of an earlier gesture's displacement that this one's handles ask for: of the last one that a run from rest
+/// was for, or else of what is shown.
+std::optional<Points> ReshapeRun::startOfGesture() const {
+  const Points& rest = rest_->mesh.positions;
+  const std::vector<Vec3> now = movesTo(targets_);
+  if (const auto& end = behind_.end()) {
+    if (const auto times = shareOfGesture(movesTo(end->targets), now)) return rest + *times * (end->positions - rest);
+  }
+  if (shownTargets_.size() != targets_.size()) return std::nullopt;
+  if (const auto times = shareOfGesture(movesTo(shownTargets_), now)) return rest + *times * (shown_ - rest);
+  return shown_;
 }
 
 /// Makes the present attempt ready, a slice at a time.
@@ -177,15 +234,64 @@ Status ReshapeRun::step(StepReport& report) {
   if (!isReady_) {
     if (Status status = prepareAttempt(); !status.ok() || !isReady_) return status;
   }
+  if (isBehindsTurn_) {
+    stepBehind();
+    return {};
+  }
+  if (isDragged_ && answersLeft_ == 0) {
+    endDrag();
+    return {};
+  }
   Attempt& attempt = second_ ? *second_ : *first_;
   if (Status status = attempt.alternation.iterate(report); !status.ok()) return status;
   if (report.outcome == Outcome::midway) return {};
-  if (!hasBest_) shown_ = attempt.alternation.positions();
+  if (!hasBest_ && isShowing_) show(attempt.alternation.positions());
+  if (answersLeft_ > 0) {
+    afterAnswer(report);
+    return {};
+  }
   if (report.outcome == Outcome::running) return {};
   outcome_ = report.outcome;
   if (Status status = finish(attempt); !status.ok()) return status;
   report.outcome = isDone_ ? outcome_ : Outcome::running;
   return {};
+}
+
+/// Gives the next step to the run behind.
+void ReshapeRun::afterAnswer(StepReport& report) {
+  --answersLeft_;
+  if (report.outcome != Outcome::running) answersLeft_ = 0;
+  report.outcome = Outcome::running;
+  if (!behind_.isGoing()) {
+    if (behind_.isEndOf(targets_)) return;
+    behind_.begin(first_->surface, first_->terms.weights, first_->vertices, first_->transformations, limits(),
+                  targets_);
+  }
+  aimRows(behind_.targets());
+  behind_.takeUp();
+  isBehindsTurn_ = true;
+}
+
+/// Does a slice of the run behind, for one iteration, or, after the last answer, until its end.
+void ReshapeRun::stepBehind() {
+  if (!behind_.iterate()) return;
+  isBehindsTurn_ = answersLeft_ == 0 && behind_.isGoing();
+  if (!isBehindsTurn_) aimRows(targets_);
+}
+
+/// Follows the last answer. What the run behind came to for other handles is a better start; for these it is shown until
+/// the run from rest, which depends on nothing before it, has come as far.
+void ReshapeRun::endDrag() {
+  const bool isNew = behind_.hasEnded() && behind_.isEndOf(behind_.targets());
+  if (isNew && behind_.targets() != targets_) {
+    behind_.stop();
+    resume();
+    return;
+  }
+  if (isNew) show(behind_.end()->positions);
+  reset();
+  behind_.stop();
+  isShowing_ = false;
 }
 
 Status ReshapeRun::finish(Attempt& attempt) {
@@ -215,7 +321,8 @@ Status ReshapeRun::finish(Attempt& attempt) {
     return {};
   }
   isDone_ = true;
-  shown_ = best_;
+  show(best_);
+  behind_.note({targets_, best_});
   return judge();
 }
 

@@ -7,6 +7,7 @@
 #include "methods/alternating/alternation.h"
 #include "methods/alternating/fold_check.h"
 #include "methods/alternating/reshape_terms.h"
+#include "methods/alternating/run_behind.h"
 
 namespace whittle {
 
@@ -38,9 +39,11 @@ class ReshapeRun {
   void aim(const std::vector<Vec3>& targets);
   void limit(bool finalize, int maxIterations);
 
-  /// Starts from rest, or from positions that a run before came to.
+  /// Starts from rest.
   void begin();
-  void resume(const Points& positions);
+  /// Starts from what a gesture like this one came to: first answers for what is dragged, while a run from rest goes on
+  /// behind them, and then, if nobody overtakes it, the run from rest.
+  void resume();
   /// One iteration, or a part of one; the last one ends with a result. Fails with `numericalFailure`, or with `badHandles` where the
   /// gesture would turn much of the shape inside out.
   Status step(StepReport& report);
@@ -74,6 +77,14 @@ class ReshapeRun {
     bool areTransformationsReady_ = false, areVerticesReady_ = false;
   };
 
+  void aimRows(const std::vector<Vec3>& targets);
+  std::vector<Vec3> movesTo(const std::vector<Vec3>& targets) const;
+  void show(const Points& positions);
+  std::optional<Points> startOfGesture() const;
+  void afterAnswer(StepReport& report);
+  void stepBehind();
+  void endDrag();
+  void reset();
   void setRung(Rung rung);
   Status prepareAttempt();
   AlternationLimits limits() const;
@@ -99,6 +110,10 @@ class ReshapeRun {
   std::unique_ptr<StructureSearch> search_;  // while the second is made
   bool isReady_ = false;                     // whether the present attempt may iterate
   std::optional<Points> resumed_;            // where it is to start
+  RunBehind behind_;
+  bool isDragged_ = false;      // whether answers come before the run from rest
+  int answersLeft_ = 0;         // iterations of them
+  bool isBehindsTurn_ = false;  // rather than the next answer's
   bool isDone_ = false;
   Outcome outcome_ = Outcome::running;
   Points result_;  // of the present rung
@@ -106,6 +121,8 @@ class ReshapeRun {
   FoldReport bestFolds_;
   bool hasBest_ = false;
   Points shown_;
+  bool isShowing_ = true;                     // whether it follows the run
+  std::vector<Vec3> targets_, shownTargets_;  // of the handles; of what is shown
   std::vector<std::string> remarks_;
 };
 
