@@ -1,9 +1,11 @@
-import { add, cross, distance, dot, row, scale, subtract, unit, type Vec3 } from '../../src/mesh/vectors.ts';
+import { add, cross, distance, row, scale, subtract, unit, type Vec3 } from '../../src/mesh/vectors.ts';
 import type { Handles } from '../../src/methods/values/handles.ts';
 import { extent, fittedRound, principalAxes } from './fits.ts';
+import { coordinates, frameOf } from './frames.ts';
 import type { Shape } from './shape.ts';
 import { part } from './shape.ts';
 import { degreesBetween, normalsOf, qualityOf, SurfaceFacts } from './surface-facts.ts';
+import { changeOfThickness, quantile, type Wall, wallsOf } from './walls.ts';
 
 /** What becomes of the size of a part that is to keep it: 1 is as it was. */
 export interface Kept {
@@ -85,10 +87,7 @@ export class Judge {
       }),
       quality: quantile(ratios, 0.01),
       stretchJump: this.#stretchJump(positions, now),
-      thickness: quantile(
-        this.#walls.map((wall) => thickening(wall, after, now)),
-        0.95,
-      ),
+      thickness: changeOfThickness(this.#walls, after, now),
     };
   }
 
@@ -111,21 +110,6 @@ export class Judge {
   }
 }
 
-type Triangles = Pick<Shape, 'positions' | 'triangles'>;
-type Frame = readonly [Vec3, Vec3, Vec3];
-
-/** Two sides of a face and its normal. */
-function frameOf({ positions, triangles }: Triangles, face: number, normal: Vec3): Frame {
-  const [a, b, c] = [0, 1, 2].map((k) => row(positions, triangles[3 * face + k]!)) as [Vec3, Vec3, Vec3];
-  return [subtract(b, a), subtract(c, a), normal];
-}
-
-/** What a vector is in a frame. */
-function coordinates([u, v, w]: Frame, vector: Vec3): Vec3 {
-  const size = dot(u, cross(v, w));
-  return [dot(vector, cross(v, w)) / size, dot(vector, cross(w, u)) / size, dot(vector, cross(u, v)) / size];
-}
-
 function tiltOf(before: Float64Array, after: Float64Array, plane: readonly number[]): number {
   const [was, is] = [before, after].map((at) => principalAxes(at, plane).axes[0]);
   const angle = degreesBetween(was!, is!);
@@ -142,55 +126,5 @@ function widthOf(positions: Float64Array, strip: readonly number[]): number {
   return extent(positions, strip, principalAxes(positions, strip).axes[1]);
 }
 
-/** A face, and where the ray from its middle through the body comes out. */
-interface Wall {
-  readonly face: number;
-  readonly behind: number;
-  readonly weights: Vec3;
-  readonly thickness: number;
-}
-
-/** Where a body is thinner than a seventh of the diagonal and has parallel sides; some hundred places. */
-function wallsOf({ mesh, normals, diagonal, sound }: SurfaceFacts): Wall[] {
-  const stride = Math.max(1, Math.floor(normals.length / 300));
-  return normals.flatMap((normal, face) => {
-    if (face % stride !== 0 || !sound[face]) return [];
-    const from = middleOf(mesh, face);
-    const hits = normals.flatMap((other, behind): Wall[] => {
-      if (dot(normal, other) > -0.98) return [];
-      const a = row(mesh.positions, mesh.triangles[3 * behind]!);
-      const thickness = dot(subtract(from, a), other) / dot(normal, other);
-      if (thickness < 1e-6 * diagonal || thickness > diagonal / 7) return [];
-      const at = subtract(subtract(from, scale(normal, thickness)), a);
-      const [u, v] = coordinates(frameOf(mesh, behind, other), at);
-      return u < 0 || v < 0 || u + v > 1 ? [] : [{ face, behind, weights: [1 - u - v, u, v], thickness }];
-    });
-    return hits.toSorted((x, y) => x.thickness - y.thickness).slice(0, 1);
-  });
-}
-
-function thickening(
-  { face, behind, weights, thickness }: Wall,
-  after: Triangles,
-  now: readonly Vec3[],
-): number {
-  const through = subtract(middleOf(after, face), middleOf(after, behind, weights));
-  return Math.abs(dot(through, now[behind]!) / -thickness - 1);
-}
-
-function middleOf(
-  { positions, triangles }: Triangles,
-  face: number,
-  weights: Vec3 = [1 / 3, 1 / 3, 1 / 3],
-): Vec3 {
-  return weights.reduce((sum, w, k) => add(sum, scale(row(positions, triangles[3 * face + k]!), w)), [
-    0, 0, 0,
-  ] as Vec3);
-}
-
 const mean = (values: readonly number[]): number =>
   values.reduce((a, b) => a + b, 0) / Math.max(1, values.length);
-
-function quantile(values: readonly number[], share: number): number {
-  return values.toSorted((a, b) => a - b)[Math.floor(share * Math.max(0, values.length - 1))] ?? 0;
-}

@@ -144,7 +144,7 @@ function pairsOf({ triangles }: TestMesh, normals: readonly Vec3[]): Pair[] {
 }
 
 /** Faces that pairs connect, group by group. */
-function regions(count: number, pairs: readonly Pair[]): number[][] {
+export function regions(count: number, pairs: readonly Pair[]): number[][] {
   const head = Array.from({ length: count }, (_, face) => face);
   const find = (face: number): number => {
     let at = face;

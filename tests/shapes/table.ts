@@ -1,13 +1,12 @@
-import { readFileSync, writeFileSync } from 'node:fs';
-import { markdownTable, median, percent } from '../benchmarks/numbers.ts';
+import { markdownTable, percent } from '../benchmarks/numbers.ts';
 import { type Case, cases } from './cases.ts';
 import { collapseTable } from './collapses.ts';
-import { limits, offSize, shortfalls } from './limits.ts';
+import { keepTables } from './kept-tables.ts';
+import { grouped, limitTable } from './limit-table.ts';
+import { offSize, shortfalls } from './limits.ts';
 import type { Kept } from './measures.ts';
 import { samenessTable } from './sameness.ts';
 import { byMesh, byMethod, type Judged, type Trial } from './trials.ts';
-
-const file = 'docs/reshaping.md';
 
 /**
  * All shapes and gestures; `--write` keeps the tables in docs/reshaping.md, `--only=collapses` makes that table alone (or
@@ -22,7 +21,7 @@ export async function tabulate(args: readonly string[]): Promise<void> {
   if (!only || only === 'sameness') tables.sameness = await samenessTable(chosen);
   if (!only || only === 'collapses') tables.collapses = await collapseTable(chosen);
   for (const [name, table] of Object.entries(tables)) console.log(`\n${name}\n\n${table}`);
-  if (args.includes('--write')) writeFileSync(file, replaced(readFileSync(file, 'utf8'), tables));
+  if (args.includes('--write')) keepTables(tables);
 }
 
 /** The tables that go by the limits and measures of every gesture. */
@@ -43,61 +42,6 @@ async function trialTables(chosen: readonly Case[]): Promise<Record<string, stri
     gestures: gestureTable(methods),
   };
 }
-
-/** The text with each table between its two marks. */
-function replaced(text: string, tables: Readonly<Record<string, string>>): string {
-  return Object.entries(tables).reduce((whole, [name, table]) => {
-    const [begin, end] = [`<!-- ${name} -->`, `<!-- end of ${name} -->`];
-    const [before, rest] = whole.split(begin);
-    const after = rest?.split(end)[1];
-    if (after === undefined) throw new Error(`${file} has no ${begin} … ${end}.`);
-    return `${before}${begin}\n\n${table}\n\n${end}${after}`;
-  }, text);
-}
-
-/** How many of the gestures hold each limit, a column for each method or mesh. */
-function limitTable(all: readonly Trial[]): string {
-  const groups = grouped(all, ({ by }) => by);
-  const count = (title: string, holds: (of: Judged, wanted: number) => boolean, concerns = anyShape) => [
-    title,
-    ...groups.map(([, trials]) => {
-      // One that was refused holds nothing; what its shape has is told by its other gestures and methods.
-      const asked = trials.filter(({ shape }) =>
-        answered(all.filter((of) => of.shape === shape)).some(concerns),
-      );
-      const good = asked.filter(({ result, wanted }) => typeof result !== 'string' && holds(result, wanted));
-      return `${good.length} of ${asked.length}`;
-    }),
-  ];
-  const middle = (title: string, show: (result: Judged) => number): string[] => [
-    title,
-    ...groups.map(([, of]) => `${median(answered(of).map(show)).toFixed(2)}°`),
-  ];
-  return markdownTable(
-    ['', ...groups.map(([by]) => by)],
-    [
-      count('not refused', () => true),
-      ...limits.map(({ title, beyond, concerns }) =>
-        count(title, (result, wanted) => beyond(result, wanted) === undefined, concerns),
-      ),
-      count('**all of it**', (result, wanted) => shortfalls(result, wanted).length === 0),
-      middle('mean change of normals, the median gesture', ({ normalMean }) => normalMean),
-      middle('largest change of normals, the median gesture', ({ normalMax }) => normalMax),
-    ],
-  );
-}
-
-const anyShape = (_: Judged): boolean => true;
-
-/** Trials by a name of theirs, in the order in which the names come first. */
-function grouped(trials: readonly Trial[], nameOf: (trial: Trial) => string): [string, Trial[]][] {
-  const groups = new Map<string, Trial[]>();
-  for (const trial of trials) groups.set(nameOf(trial), [...(groups.get(nameOf(trial)) ?? []), trial]);
-  return [...groups];
-}
-
-const answered = (trials: readonly Trial[]): Judged[] =>
-  trials.flatMap(({ result }) => (typeof result === 'string' ? [] : [result]));
 
 /** What falls short on some mesh, and by what. */
 function shortfallTable(trials: readonly Trial[]): string {

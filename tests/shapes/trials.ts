@@ -27,7 +27,7 @@ export interface Judged extends Measures {
 }
 
 /** Methods and readings, by names that a table can show. */
-const methods: Readonly<Record<string, ParameterValues>> = {
+export const methods: Readonly<Record<string, ParameterValues>> = {
   tuned: {},
   published: { reading: 'published' },
   '3D ALUP': { variant: 'alup' },
