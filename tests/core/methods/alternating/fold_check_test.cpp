@@ -61,3 +61,23 @@ TEST_CASE("a sliver whose corners are carried past each other in a flat side is 
   // Where the even faces fold themselves, that is told of.
   CHECK(square.turned([&](const Vec3& p) -> Vec3 { return -1.5 * size.y() * bulge(p) * Vec3::UnitY(); }) == 0);
 }
+
+TEST_CASE("faces that fold are counted, and make a result unclean where they are large enough to be seen") {
+  const TriangleMesh plane = grid(8);
+  for (const double size : {1e-4, 0.5}) {
+    // A triangle of this size beside the plane is turned over.
+    TriangleMesh one;
+    one.positions.resize(3, 3);
+    one.positions << 0, 0, 0, size, 0, 0, 0, size, 0;
+    one.triangles.resize(1, 3);
+    one.triangles << 0, 1, 2;
+    const RestSurface surface = measureSurface(together(plane, one, Vec3(5, 0, 0)));
+    Points folded = surface.mesh.positions;
+    folded.row(surface.vertexCount() - 2).swap(folded.row(surface.vertexCount() - 1));
+    CHECK(findFolds(surface, surface.mesh.positions).isClean());
+    const FoldReport report = findFolds(surface, folded);
+    CHECK(report.flipped == 1);
+    CHECK(report.steep == 1);
+    CHECK(report.isClean() == (size < 0.01));
+  }
+}

@@ -20,15 +20,20 @@ FoldReport findFolds(const RestSurface& surface, const Points& positions) {
   };
   const Points normals = faceNormals(positions, triangles);
   FoldReport report;
+  double area = 0;
   std::vector<double> ratios;
   ratios.reserve(surface.faceCount());
   for (Index f = 0; f < surface.faceCount(); ++f) {
     const double cosine = surface.faceNormals.row(f).dot(normals.row(f));
     report.flipped += cosine < 0;
     report.steep += cosine < kSteep;
+    const double size = surface.halfEdges.row(3 * f).cross(surface.halfEdges.row(3 * f + 1)).norm();
+    area += size;
+    if (cosine < kSteep) report.steepArea += size;
     const double rest = qualityOf(surface.mesh.positions, f);
     if (rest > 0) ratios.push_back(qualityOf(positions, f) / rest);
   }
+  if (area > 0) report.steepArea /= area;
   if (ratios.empty()) return report;
   const auto hundredth = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 100);
   std::nth_element(ratios.begin(), hundredth, ratios.end());

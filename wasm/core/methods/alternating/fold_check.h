@@ -9,13 +9,17 @@ namespace whittle {
 struct FoldReport {
   Index flipped = 0;       // faces that look the other way
   Index steep = 0;         // faces that have turned by more than 60°
+  double steepArea = 0;    // theirs at rest, as a share of all
   double poorQuality = 1;  // triangle quality over that at rest, which one face in a hundred does not reach
 
-  bool isClean() const { return flipped == 0 && steep == 0 && poorQuality >= 0.1; }
+  /// Faces that fold count as none where they are too small to be seen: no size of a hole is worth these.
+  bool isClean() const { return steepArea < kUnseenArea && poorQuality >= 0.1; }
   bool isBetterThan(const FoldReport& other) const {
     if (flipped != other.flipped) return flipped < other.flipped;
     return steep != other.steep ? steep < other.steep : poorQuality > other.poorQuality;
   }
+
+  static constexpr double kUnseenArea = 1e-6;
 };
 
 FoldReport findFolds(const RestSurface& surface, const Points& positions);

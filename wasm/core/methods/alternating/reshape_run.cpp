@@ -7,6 +7,7 @@
 #include "methods/alternating/gesture.h"
 #include "methods/alternating/handle_errors.h"
 #include "methods/alternating/kept_sizes.h"
+#include "methods/alternating/kept_thickness.h"
 
 namespace whittle {
 
@@ -20,6 +21,8 @@ constexpr double kMostFlipped = 0.01;
 constexpr double kUnseenMove = 1e-4, kUnseenSlide = 5e-4;
 /// What of the diagonal the last fifth of a run may move.
 constexpr double kLateMove = 0.0018;
+/// The share of what is thin that must have changed its thickness to be told of.
+constexpr double kLeastChanged = 0.05;
 /// Iterations of a dragged shape before its run from rest.
 constexpr int kAnswers = 6;
 
@@ -337,7 +340,10 @@ Status ReshapeRun::judge() {
     remarks_.push_back("Of the faces " + std::to_string(bestFolds_.flipped) +
                        " fold over; a smaller move, or more handles, may help.");
   }
-  addSizeRemark();
+  if (settings_.variant == Variant::slippage && settings_.reading == Reading::tuned) {
+    addSizeRemark();
+    addThicknessRemark();
+  }
   const double error = handleError(best_);
   if (error > kMissed) {
     char text[160];
@@ -352,7 +358,6 @@ Status ReshapeRun::judge() {
 }
 
 void ReshapeRun::addSizeRemark() {
-  if (settings_.variant != Variant::slippage || settings_.reading != Reading::tuned) return;
   const SizeReport sizes = findChangedSizes(*rest_, first_->structure.patches, keptPatches_, best_);
   if (sizes.changed == 0) return;
   const bool isOne = sizes.changed == 1;
@@ -360,6 +365,15 @@ void ReshapeRun::addSizeRemark() {
   std::snprintf(text, sizeof text,
                 "Of the holes, round parts and bevels %d %s by this gesture; the farthest is %.2f times what it was.",
                 static_cast<int>(sizes.changed), isOne ? "changes its size" : "change their size", sizes.most);
+  remarks_.push_back(text);
+}
+
+void ReshapeRun::addThicknessRemark() {
+  const ThicknessReport report = findChangedThickness(*rest_, first_->structure.walls.probes, rows_.handles, best_);
+  if (report.changedArea < kLeastChanged) return;
+  char text[160];
+  std::snprintf(text, sizeof text, "Walls and thin parts become up to %.2f times as thick by this gesture.",
+                report.most);
   remarks_.push_back(text);
 }
 

@@ -95,6 +95,7 @@ class ReshapeRun {
   Status spread(Attempt& attempt);
   Status judge();
   void addSizeRemark();
+  void addThicknessRemark();
   double handleError(const Points& positions) const;
 
   RunSettings settings_;

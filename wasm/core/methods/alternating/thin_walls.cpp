@@ -21,6 +21,9 @@ constexpr double kMovedApart = 1e-3;
 /// Of a tie, against the 1 / l̄² that an edge of mean length has.
 constexpr double kStiffness = 300;
 constexpr Index kSliceOfFaces = 1500;
+/// What is thicker, as a share of the longest side, or does not look the other way, is no wall to a probe.
+constexpr double kProbed = 0.12, kLookingAway = -0.985;
+constexpr Index kMostProbes = 3000;
 
 }  // namespace
 
@@ -55,32 +58,43 @@ double ThinWallSearch::next() {
     return isTreeGrown_ ? kTree : kTree / 2;
   }
   const Index end = std::min(next_ + kSliceOfFaces, surface_.faceCount());
-  for (; next_ < end; ++next_) tie(next_);
+  const Index stride = 1 + surface_.faceCount() / kMostProbes;
+  for (; next_ < end; ++next_) {
+    tie(next_);
+    if (next_ % stride == 0) probe(next_);
+  }
   return next_ == surface_.faceCount() ? 1 : kTree + (1 - kTree) * next_ / surface_.faceCount();
 }
 
-void ThinWallSearch::tie(Index face) {
+ThinWallSearch::Behind ThinWallSearch::lookThrough(Index face, double reach) const {
   const Triangles& triangles = surface_.mesh.triangles;
-  const Index side = result_.sideOf[face];
   const auto corner = [&](Index f, int k) -> Vec3 { return surface_.mesh.positions.row(triangles(f, k)).transpose(); };
-  const double reach = std::min(kThickest, kThin * extents_[side]);
   const Vec3 from = (corner(face, 0) + corner(face, 1) + corner(face, 2)) / 3;
-  const Vec3 n = surface_.faceNormals.row(face).transpose(), to = from - reach * n;
-  Index first = -1;
-  Crossing nearest{std::numeric_limits<double>::infinity(), Vec3::Zero()};
+  const Vec3 to = from - reach * surface_.faceNormals.row(face).transpose();
+  Behind first{-1, std::numeric_limits<double>::infinity(), Vec3::Zero()};
   tree_->findIn(Box(from.cwiseMin(to), from.cwiseMax(to)), [&](Index f) {
     if (f == face) return false;
     const auto met = crossing(from, to, corner(f, 0), corner(f, 1), corner(f, 2));
-    if (met && met->along < nearest.along) {
-      nearest = *met;
-      first = f;
-    }
+    if (met && met->along * reach < first.distance) first = {f, met->along * reach, met->weights};
     return false;
   });
-  if (first < 0 || surface_.faceNormals.row(first).dot(n.transpose()) > kFacing) return;
-  const Index behind = result_.sideOf[first];
-  if (behind == side || nearest.along * reach > kThin * extents_[behind]) return;
-  result_.ties.push_back({wallOf(side, behind, n), face, first, nearest.weights});
+  return first;
+}
+
+void ThinWallSearch::tie(Index face) {
+  const Index side = result_.sideOf[face];
+  const Behind first = lookThrough(face, std::min(kThickest, kThin * extents_[side]));
+  if (first.face < 0 || surface_.faceNormals.row(first.face).dot(surface_.faceNormals.row(face)) > kFacing) return;
+  const Index behind = result_.sideOf[first.face];
+  if (behind == side || first.distance > kThin * extents_[behind]) return;
+  const Vec3 n = surface_.faceNormals.row(face).transpose();
+  result_.ties.push_back({wallOf(side, behind, n), face, first.face, first.weights});
+}
+
+void ThinWallSearch::probe(Index face) {
+  const Behind first = lookThrough(face, kProbed);
+  if (first.face < 0 || surface_.faceNormals.row(first.face).dot(surface_.faceNormals.row(face)) > kLookingAway) return;
+  result_.probes.push_back({face, first.face, first.weights});
 }
 
 Index ThinWallSearch::wallOf(Index side, Index behind, const Vec3& normal) {

@@ -24,10 +24,17 @@ struct WallTie {
   Vec3 weights;  // of the point, in the face behind
 };
 
+/// How thick a shape is at the middle of a face, whether it is flat there or not.
+struct ThicknessProbe {
+  Index face, behind;
+  Vec3 weights;  // of the point behind, in the face there
+};
+
 struct ThinWalls {
   std::vector<Index> sideOf;  // #F, the plane side that each face is of
   std::vector<ThinWall> walls;
   std::vector<WallTie> ties;
+  std::vector<ThicknessProbe> probes;  // of some faces, where it is thin
 };
 
 /// Finds thin walls: from the middle of each face straight through, the first face met must be of a plane side that looks
@@ -43,7 +50,15 @@ class ThinWallSearch {
 
  private:
   void joinSides();
+  struct Behind {
+    Index face = -1;  // none within reach
+    double distance;
+    Vec3 weights;
+  };
+  /// What is met first from the middle of a face straight through.
+  Behind lookThrough(Index face, double reach) const;
   void tie(Index face);
+  void probe(Index face);
   Index wallOf(Index side, Index behind, const Vec3& normal);
 
   const RestSurface& surface_;
