@@ -20,8 +20,8 @@ export interface FigureMesh {
   readonly bytes?: () => Uint8Array;
 }
 
-/** A figure of the papers, remade with the shapes that come with the page, in a window of 1200×800. */
-export interface Figure {
+/** A picture of a figure of the papers. */
+export interface Picture {
   readonly id: string;
   /** The year of its paper and its number there. */
   readonly of: string;
@@ -31,13 +31,17 @@ export interface Figure {
   /** In what this one is not that. */
   readonly differs?: string;
   readonly mesh?: FigureMesh;
+  /** How one looks at it in the end: drags with the tool that turns the view. */
+  readonly look?: (hand: Hand) => Promise<void>;
+}
+
+/** A figure of the papers, remade with the shapes that come with the page, in a window of 1200×800. */
+export interface Figure extends Picture {
   readonly act: (hand: Hand) => Promise<void>;
   /** Expects of the outcome, of a mesh that is exported as OBJ, what the paper says of its figure. */
   readonly claims?: (outcome: Outcome) => void;
   /** The tool that is in hand on the picture, for what it draws; else that which turns the view. */
   readonly shows?: string;
-  /** How one looks at it in the end: drags with the tool that turns the view. */
-  readonly look?: (hand: Hand) => Promise<void>;
 }
 
 export const suzanne: FigureMesh = {

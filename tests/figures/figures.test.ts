@@ -6,6 +6,7 @@ import { picture } from '../browser/support/browser.ts';
 import { exported, shapedHeadless } from '../browser/support/headless.ts';
 import { usePage } from '../browser/support/use-page.ts';
 import { objPositions } from '../fixtures/mesh-files.ts';
+import { ablations } from './ablations.ts';
 import type { FigureMesh, Outcome } from './figure.ts';
 import { figures } from './figures.ts';
 import { Hand } from './hand.ts';
@@ -39,7 +40,7 @@ it.each(figures)(
   },
 );
 
-afterAll(() => showroom?.open(figures));
+afterAll(() => showroom?.open([...figures, ...ablations]));
 
 function outcomeOf(recipe: Buffer, obj: Buffer): Outcome {
   const step = JSON.parse(recipe.toString()).steps.at(-1);

@@ -2,9 +2,10 @@ import { expect } from 'vitest';
 import type { Place } from '../browser/support/hands.ts';
 import { objText } from '../fixtures/mesh-files.ts';
 import { asDrawn, caseOf, meshed } from '../shapes/cases.ts';
-import { even } from '../shapes/fineness.ts';
+import { even, raw } from '../shapes/fineness.ts';
 import { Judge, type Measures } from '../shapes/measures.ts';
 import { rotation, type Shape, turned } from '../shapes/shape.ts';
+import { cabinet } from './cabinet.ts';
 import type { Figure, FigureMesh, Outcome } from './figure.ts';
 import type { Hand } from './hand.ts';
 import { wagon } from './wagon.ts';
@@ -39,6 +40,8 @@ const table = new Stand('table.obj', () => meshed(caseOf('table'), 2));
 const chair = new Stand('chair.obj', () => meshed(caseOf('chair'), 2));
 const column = new Stand('column.obj', () => meshed(caseOf('cylinder'), 1));
 const plate = new Stand('plate.obj', () => asDrawn(caseOf('drilled plate')));
+const shelf = new Stand('cabinet.obj', () => cabinet(raw()));
+const bar = new Stand('bar.obj', () => meshed(caseOf('chamfered box'), 1.5));
 const cart = new Stand('wagon.obj', () => wagon(even(0.11)));
 
 /** Pulls the side that is pressed, straight out, and says what is to be kept. */
@@ -50,6 +53,16 @@ async function pulls(hand: Hand, keep: string, ...places: readonly Place[]): Pro
 }
 
 const turns = 'faces turn by';
+
+function edgesOfThree({ triangles }: Shape): number {
+  const faces = new Map<string, number>();
+  for (let corner = 0; corner < triangles.length; corner++) {
+    const [v, w] = [triangles[corner]!, triangles[corner % 3 === 2 ? corner - 2 : corner + 1]!];
+    const edge = `${Math.min(v, w)} ${Math.max(v, w)}`;
+    faces.set(edge, (faces.get(edge) ?? 0) + 1);
+  }
+  return [...faces.values()].filter((count) => count === 3).length;
+}
 
 /** Sides that are pulled straight out, with what is compared in the paper: its “3D ALUP” keeps proportions. */
 export const reshapedFigures: readonly Figure[] = [
@@ -143,6 +156,55 @@ export const reshapedFigures: readonly Figure[] = [
       expect(handle).toBeLessThan(0.001);
     },
   },
+  {
+    id: 'cabinet-walls',
+    of: '2023, Fig. 18',
+    caption:
+      'Edges of three faces, where thin walls part a cabinet: it is lengthened, and the round openings stay.',
+    paper: 'a mesh of bad triangles is reshaped on other ones, and keeps its own',
+    mesh: shelf.mesh,
+    act: (hand) => pulls(hand, 'Structure', [815, 445], [850, 455], [930, 475]),
+    look: (hand) => hand.sweeps([420, 650], [505, 640]),
+    claims(outcome) {
+      expect(edgesOfThree(shelf.shape)).toBe(6);
+      const { rounds, planeTilt, handle } = shelf.measure(outcome);
+      expect(rounds).toHaveLength(2);
+      for (const { ratio, roundness } of rounds) {
+        expect(Math.abs(ratio - 1)).toBeLessThan(0.02);
+        expect(roundness).toBeLessThan(0.01);
+      }
+      expect(planeTilt, 'sides tilt by').toBeLessThan(0.1);
+      expect(handle).toBeLessThan(0.001);
+    },
+  },
+  ...([true, false] as const).map(
+    (isSpread): Figure => ({
+      id: isSpread ? 'bar-spread' : 'bar-kinked',
+      of: '2023, Fig. 21',
+      caption: `The end of a bar is moved sideways, which no way of keeping structure allows. ${
+        isSpread ? 'What it bends beside the end is spread.' : 'Left as solved, it kinks beside the end.'
+      }`,
+      paper: 'what handles bend next to them is spread over their surroundings, and they stay met',
+      differs: 'The paper’s method alone, without 3D ALUP.',
+      mesh: bar.mesh,
+      async act(hand) {
+        await hand.chooses('Reshape');
+        await hand.takes('Move');
+        await hand.clicksAt([815, 445]);
+        await hand.keys('Move', 'gz-1');
+        if (isSpread) return;
+        await hand.unfolds('Solver');
+        await hand.page.getByLabel('Smooth at handles').uncheck();
+        await hand.rests();
+      },
+      claims(outcome) {
+        const { normalMax, handle } = bar.measure(outcome);
+        if (isSpread) expect(normalMax, turns).toBeLessThan(38);
+        else expect(normalMax, turns).toBeGreaterThan(42);
+        expect(handle).toBeLessThan(0.005);
+      },
+    }),
+  ),
   {
     id: 'wagon',
     of: '2023, Fig. 19',

@@ -1,7 +1,7 @@
 import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { picture } from '../browser/support/browser.ts';
 import type { SavedFile } from '../browser/support/downloads.ts';
-import type { Figure } from './figure.ts';
+import type { Figure, Picture } from './figure.ts';
 import type { Hand } from './hand.ts';
 
 /** What is free of panels: while the view is turned, and beside the options of another tool. */
@@ -31,8 +31,15 @@ export class Showroom {
     await this.#shoot(hand, figure.id, figure.shows ? free.beside : free.turning);
   }
 
+  /** Takes a picture of a mesh as it is. */
+  async takeStill({ id, look }: Picture, hand: Hand): Promise<void> {
+    await hand.page.keyboard.press('f');
+    await look?.(hand);
+    await this.#shoot(hand, id, free.turning);
+  }
+
   /** The file's own shape, once for each mesh. */
-  async #original(figure: Figure, hand: Hand): Promise<void> {
+  async #original(figure: Picture, hand: Hand): Promise<void> {
     const name = originalOf(figure);
     if (this.#before.has(name)) return;
     this.#before.add(name);
@@ -48,10 +55,14 @@ export class Showroom {
   }
 
   /** Writes the page of all that there are pictures of. */
-  open(figures: readonly Figure[]): void {
+  open(figures: readonly Picture[]): void {
     const shown = figures.filter(({ id }) => existsSync(`${this.#folder}/${id}.jpg`));
     const numbers = [...new Set(shown.map(({ of }) => of))];
-    const originals = new Map(shown.map((figure) => [originalOf(figure), figure.mesh?.title ?? 'Rabbit']));
+    const originals = new Map(
+      shown
+        .filter(({ id }) => existsSync(`${this.#folder}/${id}.whittle.json`))
+        .map((figure) => [originalOf(figure), figure.mesh?.title ?? 'Rabbit']),
+    );
     const page = readFileSync(new URL('./showroom.html', import.meta.url), 'utf8')
       .replace('<!-- originals -->', () =>
         [...originals].map(([name, title]) => originalCard(name, title)).join('\n'),
@@ -69,7 +80,7 @@ export class Showroom {
     writeFileSync(`${this.#folder}/index.html`, page);
   }
 
-  #section(of: string, figures: readonly Figure[]): string {
+  #section(of: string, figures: readonly Picture[]): string {
     const { paper, differs } = figures[0]!;
     return `<section>
 <h2>${of}</h2>
@@ -80,18 +91,24 @@ ${figures.map((figure) => this.#card(figure)).join('\n')}
 </section>`;
   }
 
-  #card({ id, caption, mesh }: Figure): string {
-    const recipe = `${id}.whittle.json`;
-    const size = Math.max(1, Math.round(statSync(`${this.#folder}/${recipe}`).size / 1024));
-    const names = /"([^"]+\.png)"/.exec(readFileSync(`${this.#folder}/${recipe}`, 'utf8'))?.[1];
-    const beside = names ? ` and the <a href="${names}" download>ball</a> that it names` : '';
+  #card({ id, caption, mesh }: Picture): string {
     const on = mesh?.bytes ? `<a href="${mesh.title}" download>${mesh.title}</a>` : (mesh?.title ?? 'Rabbit');
     return `<figure><img src="${id}.jpg" alt="${caption}" loading="lazy">
-<figcaption>${caption}<small>${on} · <a href="${recipe}" download>recipe</a>, ${size} KB${beside}</small></figcaption></figure>`;
+<figcaption>${caption}<small>${on}${this.#recipe(`${id}.whittle.json`)}</small></figcaption></figure>`;
+  }
+
+  /** The way to a recipe; nothing where no recipe can say what is shown. */
+  #recipe(name: string): string {
+    const path = `${this.#folder}/${name}`;
+    if (!existsSync(path)) return '';
+    const size = Math.max(1, Math.round(statSync(path).size / 1024));
+    const names = /"([^"]+\.png)"/.exec(readFileSync(path, 'utf8'))?.[1];
+    const beside = names ? ` and the <a href="${names}" download>ball</a> that it names` : '';
+    return ` · <a href="${name}" download>recipe</a>, ${size} KB${beside}`;
   }
 }
 
-function originalOf({ mesh }: Figure): string {
+function originalOf({ mesh }: Picture): string {
   return `original-${(mesh?.title ?? 'rabbit').toLowerCase().replace(/\..*$/, '')}`;
 }
 
