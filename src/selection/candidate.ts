@@ -1,5 +1,13 @@
 import { discAround } from './disc.ts';
-import { facesInside, facesOfPart, facesOfPatch, outlineOf, verticesOfFaces } from './face-sets.ts';
+import {
+  facesInside,
+  facesOfPart,
+  facesOfPatch,
+  outlineOf,
+  outlineOfFaces,
+  verticesOfFaces,
+} from './face-sets.ts';
+import { flatSideOf } from './flat-sides.ts';
 import { membersOf } from './labels.ts';
 import { boundaryLoop, featureLoop } from './loops.ts';
 import { type Aim, nearestFeature, nearestVertex } from './near-pointer.ts';
@@ -23,6 +31,8 @@ export interface CandidateOptions {
   readonly oneVertex?: boolean;
   /** Take the whole part, default false. */
   readonly wholePart?: boolean;
+  /** Take a flat side without the rounded edges around it, default false. */
+  readonly flatSide?: boolean;
   /** File units: how large a spot is on a shape that has no lines to go by. */
   readonly spot: number;
 }
@@ -38,6 +48,8 @@ export function candidateAt(surface: SelectableMesh, aim: Aim, options: Candidat
   const near = nearestFeature(surface, aim);
   const line = near && lineAt(surface, near.edge, near.isBorder);
   if (line && isLargeEnough(line, aim)) return line;
+  const side = options.flatSide && flatSideAt(surface, aim.face);
+  if (side && isLargeEnough(side, aim)) return side;
   if (!isAllOfItsPart(surface, aim.face)) {
     const patch = patchOf(surface, aim.face);
     if (isLargeEnough(patch, aim)) return patch;
@@ -114,6 +126,16 @@ export function patchOf(surface: SelectableMesh, face: number): Candidate {
     const vertices = verticesOfFaces(surface, faces);
     const edges = outlineOf(surface, patch);
     return { kind: 'patch', vertices, edges, faces, sentence: `a smooth patch of ${told(vertices)}` };
+  });
+}
+
+function flatSideAt(surface: SelectableMesh, face: number): Candidate | null {
+  const faces = flatSideOf(surface, face);
+  if (!faces) return null;
+  return remembered(surface, `flat side ${faces[0]}`, () => {
+    const vertices = verticesOfFaces(surface, faces);
+    const edges = outlineOfFaces(surface, faces);
+    return { kind: 'patch', vertices, edges, faces, sentence: `a flat side of ${told(vertices)}` };
   });
 }
 

@@ -1,7 +1,7 @@
 import { smooth } from './features.ts';
 import { membersOf } from './labels.ts';
 import type { SelectableMesh } from './selectable.ts';
-import { faceOfSide, none, sideAcross } from './topology.ts';
+import { faceOfSide, nextSide, none, sideAcross } from './topology.ts';
 
 /** The faces of the smooth patch that a face belongs to, a view. */
 export function facesOfPatch({ patches }: SelectableMesh, face: number): Uint32Array {
@@ -41,6 +41,21 @@ export function outlineOf({ topology, features, patches }: SelectableMesh, patch
       // A crease inside a patch has two sides in it; it is drawn once.
       if (isInside && across < side) continue;
       drawn.push(triangles[side]!, triangles[3 * face + ((corner + 1) % 3)]!);
+    }
+  }
+  return Uint32Array.from(drawn);
+}
+
+/** The edges between some faces and all others, #×2 welded vertices. */
+export function outlineOfFaces({ topology, visits }: SelectableMesh, faces: Uint32Array): Uint32Array {
+  const drawn: number[] = [];
+  visits.begin();
+  for (const face of faces) visits.face(face);
+  for (const face of faces) {
+    for (let side = 3 * face; side < 3 * face + 3; side++) {
+      const across = sideAcross(topology, side);
+      if (across !== none && visits.hasFace(faceOfSide(across))) continue;
+      drawn.push(topology.triangles[side]!, topology.triangles[nextSide(side)]!);
     }
   }
   return Uint32Array.from(drawn);

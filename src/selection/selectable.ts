@@ -86,6 +86,10 @@ export class Visits {
     return this.#vertices[v] === this.#search;
   }
 
+  hasFace(face: number): boolean {
+    return this.#faces[face] === this.#search;
+  }
+
   /** True the first time in a search. */
   face(face: number): boolean {
     if (this.#faces[face] === this.#search) return false;

@@ -74,7 +74,7 @@ export class Taking {
     }
     const map = new ScreenMap(interaction.viewer, weldOf(project.mesh).positionOfVertex);
     const aim = aimAt(hit, pointer, map, lineShare * reachOf[pointer.kind]);
-    const candidate = candidateAt(selectable, aim, { oneVertex: pointer.alt, spot });
+    const candidate = candidateAt(selectable, aim, { oneVertex: pointer.alt, flatSide: true, spot });
     return { hit, positions: inFile(project, candidate.vertices), candidate };
   }
 
