@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit';
 import { centerIn, type HandleGroup, targetCenter } from '../../src/editor/handle-groups.ts';
 import { restShapeOf } from '../../src/editor/project.ts';
+import { diagonalOf } from '../../src/mesh/extent.ts';
 import { subtract, type Vec3 } from '../../src/mesh/vectors.ts';
 import type { GizmoMode } from '../../src/viewer/gizmo.ts';
 import type { Page } from '../app/actions.ts';
@@ -82,8 +83,13 @@ function unable() {
     <p>This step holds nothing. Add a step that does, and pull what it left.</p>`;
 }
 
+/** A share of the mesh’s diagonal: what is less is rounding, of which nobody wants to read. */
+const smallestTold = 1e-6;
+
 function activeGroup(page: Page, tool: MoveHandles, group: HandleGroup) {
   const by = displacement(page, group);
+  const least = smallestTold * diagonalOf(page.store.state.project!.mesh);
+  const told = (value: number) => (Math.abs(value) < least ? '0' : String(Number(value.toPrecision(4))));
   return html`
     <div class="row" role="group" aria-label="What the gizmo does">
       ${ways.map(
@@ -96,7 +102,7 @@ function activeGroup(page: Page, tool: MoveHandles, group: HandleGroup) {
     <div class="numbers" role="group" aria-label="How far ${group.name} has moved">
       ${(['x', 'y', 'z'] as const).map(
         (axis, k) =>
-          html`<label><span>${axis}</span><input type="number" class="number" step="any" data-axis=${axis} .value=${String(Number(by[k]!.toPrecision(4)))} @change=${(event: Event) => tool.shift(along(k, (event.target as HTMLInputElement).valueAsNumber - by[k]!))} /></label>`,
+          html`<label><span>${axis}</span><input type="number" class="number" step="any" data-axis=${axis} .value=${told(by[k]!)} @change=${(event: Event) => tool.shift(along(k, (event.target as HTMLInputElement).valueAsNumber - by[k]!))} /></label>`,
       )}
     </div>`;
 }
