@@ -2,27 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "methods/alternating/gesture.h"
 #include "methods/alternating/handle_errors.h"
-#include "methods/alternating/kept_sizes.h"
-#include "methods/alternating/kept_thickness.h"
+#include "methods/alternating/result_remarks.h"
 
 namespace whittle {
 
 namespace {
 
-/// A handle that is missed by more, as a share of the diagonal, asks for a second run.
-constexpr double kMissed = 0.005;
 /// More folded faces than this share are no result.
 constexpr double kMostFlipped = 0.01;
 /// What of the diagonal nobody sees, out of faces and along them.
 constexpr double kUnseenMove = 1e-4, kUnseenSlide = 5e-4;
 /// What of the diagonal the last fifth of a run may move.
 constexpr double kLateMove = 0.0018;
-/// The share of what is thin that must have changed its thickness to be told of.
-constexpr double kLeastChanged = 0.05;
 /// Iterations of a dragged shape before its run from rest.
 constexpr int kAnswers = 6;
 
@@ -336,45 +330,10 @@ Status ReshapeRun::judge() {
                                " of its " + std::to_string(rest_->faceCount()) +
                                " faces fold over; move the handles less far");
   }
-  if (bestFolds_.flipped > 0) {
-    remarks_.push_back("Of the faces " + std::to_string(bestFolds_.flipped) +
-                       " fold over; a smaller move, or more handles, may help.");
-  }
-  if (settings_.variant == Variant::slippage && settings_.reading == Reading::tuned) {
-    addSizeRemark();
-    addThicknessRemark();
-  }
-  const double error = handleError(best_);
-  if (error > kMissed) {
-    char text[160];
-    std::snprintf(
-        text, sizeof text,
-        "A handle is missed by %.1f %% of the diagonal: what the handles ask for does not go together with the "
-        "shape.",
-        100 * error);
-    remarks_.push_back(text);
-  }
+  const bool keepsSizes = settings_.variant == Variant::slippage && settings_.reading == Reading::tuned;
+  remarks_ = resultRemarks(
+      {*rest_, first_->structure, keptPatches_, rows_.handles, best_, bestFolds_, handleError(best_), keepsSizes});
   return {};
-}
-
-void ReshapeRun::addSizeRemark() {
-  const SizeReport sizes = findChangedSizes(*rest_, first_->structure.patches, keptPatches_, best_);
-  if (sizes.changed == 0) return;
-  const bool isOne = sizes.changed == 1;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "Of the holes, round parts and bevels %d %s by this gesture; the farthest is %.2f times what it was.",
-                static_cast<int>(sizes.changed), isOne ? "changes its size" : "change their size", sizes.most);
-  remarks_.push_back(text);
-}
-
-void ReshapeRun::addThicknessRemark() {
-  const ThicknessReport report = findChangedThickness(*rest_, first_->structure.walls.probes, rows_.handles, best_);
-  if (report.changedArea < kLeastChanged) return;
-  char text[160];
-  std::snprintf(text, sizeof text, "Walls and thin parts become up to %.2f times as thick by this gesture.",
-                report.most);
-  remarks_.push_back(text);
 }
 
 void ReshapeRun::repeat() {

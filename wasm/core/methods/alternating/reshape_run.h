@@ -94,8 +94,6 @@ class ReshapeRun {
   void findSecondStructure();
   Status spread(Attempt& attempt);
   Status judge();
-  void addSizeRemark();
-  void addThicknessRemark();
   double handleError(const Points& positions) const;
 
   RunSettings settings_;
