@@ -72,6 +72,24 @@ it.runIf(canEmulate).each([
   expect(scrollers).toBe(0);
 });
 
+it.runIf(canEmulate)(
+  'on a phone scrolls no way but down, and no tool lies under the buttons of the view',
+  async () => {
+    page = await pages.open(phone);
+    // The last picture, with the most tools.
+    await page.locator('.switch label').getByText('Reshape', { exact: true }).click();
+    await page.waitForSelector('.strip label >> text=Lines');
+    const sideways = await page
+      .locator('.settings')
+      .evaluate(({ scrollLeft, scrollWidth, clientWidth }) => [scrollLeft, scrollWidth - clientWidth]);
+    expect(sideways).toEqual([0, 0]);
+    const [strip, bar] = await Promise.all(
+      ['.strip', 'whittle-viewbar'].map((one) => page.locator(one).boundingBox()),
+    );
+    expect(strip!.y + strip!.height).toBeLessThanOrEqual(bar!.y);
+  },
+);
+
 it('folds the solver away, and says of each setting what it does', async () => {
   page = await pages.open();
   expect(await page.locator('.solver whittle-parameter').first().isVisible()).toBe(false);

@@ -27,19 +27,24 @@ export function followLayout(
     const sheet = cover.height + (isNarrow ? options.getBoundingClientRect().height : 0);
     stage.style.setProperty('--home-height', `${cover.height}px`);
     stage.style.setProperty('--sheet-height', `${sheet}px`);
+    const rightOf = (one: HTMLElement) => one.getBoundingClientRect().right - box.left;
     const insets = isNarrow
-      ? { top: 84, right: 0, bottom: Math.max(0, box.bottom - bar.getBoundingClientRect().top), left: 0 }
+      ? {
+          top: 84,
+          right: 0,
+          bottom: Math.max(0, box.bottom - bar.getBoundingClientRect().top),
+          left: rightOf(strip),
+        }
       : {
           top: 64,
           right: Math.max(0, box.right - cover.left),
           bottom: 48,
-          left: Math.max(...[strip, options].map((one) => one.getBoundingClientRect().right - box.left)),
+          left: Math.max(rightOf(strip), rightOf(options)),
         };
     comparing.isNarrow = isNarrow;
     const count = 1 + Math.min(store.state.compared.length, comparing.most - 1);
-    const beside = isNarrow ? { ...insets, left: strip.getBoundingClientRect().right - box.left } : insets;
     const frames =
-      count > 1 ? framesIn(insideOf(box, beside, margin), count, isNarrow) : [insideOf(box, insets, 0)];
+      count > 1 ? framesIn(insideOf(box, insets, margin), count, isNarrow) : [insideOf(box, insets, 0)];
     viewer.setInsets(around(box, frames[0]!, count > 1 ? nameHeight : 0));
     viewer.resize(box.width, box.height, devicePixelRatio);
     comparing.layOut(frames);
