@@ -8,6 +8,8 @@ const inBrowser = {
   ...patience,
   include: ['tests/browser/**/*.test.ts'],
   fileParallelism: false,
+  isolate: false,
+  globalSetup: 'tests/browser/support/shared.ts',
 };
 
 /** One project for everything that runs in Node, one for each browser. */
@@ -31,14 +33,7 @@ export default defineConfig({
           provide: { browser: 'chromium' },
         },
       },
-      {
-        test: {
-          name: 'firefox',
-          ...inBrowser,
-          provide: { browser: 'firefox' },
-          globalSetup: 'tests/browser/support/virtual-screen.ts',
-        },
-      },
+      { test: { name: 'firefox', ...inBrowser, provide: { browser: 'firefox' } } },
     ],
   },
 });

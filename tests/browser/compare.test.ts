@@ -2,9 +2,9 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { violations } from './support/axe.ts';
 import { picture } from './support/browser.ts';
+import { canEmulate } from './support/connect.ts';
 import { done, drag, type Place, takeTool } from './support/hands.ts';
 import { exported } from './support/headless.ts';
-import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();

@@ -4,9 +4,9 @@ import { block } from '../fixtures/hard-edged.ts';
 import { objText } from '../fixtures/mesh-files.ts';
 import { violations } from './support/axe.ts';
 import { carved, drop } from './support/browser.ts';
+import { browserName } from './support/connect.ts';
 import { done, type Place, takeTool } from './support/hands.ts';
 import { exported } from './support/headless.ts';
-import { browserName } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();

@@ -2,9 +2,9 @@ import type { Page } from 'playwright-core';
 import { beforeEach, expect, it } from 'vitest';
 import { violations } from './support/axe.ts';
 import { picture } from './support/browser.ts';
+import { canEmulate } from './support/connect.ts';
 import { done, drag, fingers, type Place, takeTool, typeOver } from './support/hands.ts';
 import { exported, shapedHeadless } from './support/headless.ts';
-import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { violations } from './support/axe.ts';
-import { canEmulate } from './support/launch.ts';
+import { canEmulate } from './support/connect.ts';
 import { usePage } from './support/use-page.ts';
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };

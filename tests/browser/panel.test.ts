@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { violations } from './support/axe.ts';
 import { carved, entered } from './support/browser.ts';
-import { canEmulate } from './support/launch.ts';
+import { canEmulate } from './support/connect.ts';
 import { usePage } from './support/use-page.ts';
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };

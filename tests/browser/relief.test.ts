@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { bakedGlb, normalMap, plate, pngOf } from '../fixtures/textured.ts';
 import { violations } from './support/axe.ts';
 import { carved, drop, entered, picture } from './support/browser.ts';
-import { canEmulate } from './support/launch.ts';
+import { canEmulate } from './support/connect.ts';
 import { usePage } from './support/use-page.ts';
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };

@@ -4,8 +4,8 @@ import { block } from '../fixtures/hard-edged.ts';
 import { objText } from '../fixtures/mesh-files.ts';
 import { violations } from './support/axe.ts';
 import { carved, drop, picture } from './support/browser.ts';
+import { canEmulate } from './support/connect.ts';
 import { saved } from './support/downloads.ts';
-import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();

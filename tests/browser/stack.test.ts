@@ -2,8 +2,8 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { violations } from './support/axe.ts';
 import { carved, picture } from './support/browser.ts';
+import { canEmulate } from './support/connect.ts';
 import { exported, shapedHeadless } from './support/headless.ts';
-import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const pages = usePage();

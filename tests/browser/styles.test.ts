@@ -5,8 +5,8 @@ import { pixelsOfMap, sphereMap } from '../../src/inputs/styles/captures.ts';
 import { unit } from '../../src/mesh/vectors.ts';
 import { violations } from './support/axe.ts';
 import { carved, drop, picture } from './support/browser.ts';
+import { canEmulate } from './support/connect.ts';
 import { saved } from './support/downloads.ts';
-import { canEmulate } from './support/launch.ts';
 import { usePage } from './support/use-page.ts';
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };

@@ -1,35 +1,23 @@
-import { mkdtempSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { type Browser, chromium, firefox } from 'playwright-core';
-import { inject } from 'vitest';
+import { type BrowserServer, chromium, firefox } from 'playwright-core';
 import { findBrowser } from '../../../wasm/tools/browsers.mjs';
 
 export type BrowserName = 'chromium' | 'firefox';
 
-declare module 'vitest' {
-  interface ProvidedContext {
-    /** The browser that this run of the tests drives. */
-    browser: BrowserName;
-  }
+/**
+ * Starts the system's own browser, for all files of a run.
+ *
+ * @param display number of the screen on which Firefox is to be, ':1'; empty for the system's own
+ * @param downloads folder in which Firefox saves files
+ */
+export function launchServer(name: BrowserName, display: string, downloads: string): Promise<BrowserServer> {
+  const executablePath = findBrowser(name);
+  if (!executablePath) throw new Error(`There is no ${name} here; install it and run this again.`);
+  return name === 'chromium'
+    ? launchChromium(executablePath)
+    : launchFirefox(executablePath, display, downloads);
 }
 
-export const browserName: BrowserName = inject('browser');
-
-/** Where Firefox saves files. */
-export const downloadsFolder = mkdtempSync(join(tmpdir(), 'whittle-downloads-'));
-
-/** Whether a page can be told that it is on a phone or in the dark; over WebDriver BiDi it cannot yet. */
-export const canEmulate = browserName === 'chromium';
-
-/** Starts the system's own browser. */
-export function launch(): Promise<Browser> {
-  const executablePath = findBrowser(browserName);
-  if (!executablePath) throw new Error(`There is no ${browserName} here; install it and run this again.`);
-  return browserName === 'chromium' ? launchChromium(executablePath) : launchFirefox(executablePath);
-}
-
-function launchChromium(executablePath: string): Promise<Browser> {
+function launchChromium(executablePath: string): Promise<BrowserServer> {
   const args = [
     '--no-sandbox',
     '--disable-quic',
@@ -38,20 +26,24 @@ function launchChromium(executablePath: string): Promise<Browser> {
     '--disable-component-update',
     '--disable-sync',
   ];
-  return chromium.launch({ executablePath, args });
+  return chromium.launchServer({ host: '127.0.0.1', executablePath, args });
 }
 
 /**
- * Stock Firefox, by WebDriver BiDi, on the virtual screen of the run and drawn by the processor. Playwright 1.65 begins every page
- * with a command that Firefox ESR 153 does not know (`emulation.setMediaFeaturesOverride`); 1.64 does not.
+ * Stock Firefox, by WebDriver BiDi, drawn by the processor. Playwright 1.65 begins every page with a command that Firefox ESR 153 does
+ * not know (`emulation.setMediaFeaturesOverride`); 1.64 does not.
  */
-function launchFirefox(executablePath: string): Promise<Browser> {
-  const display = inject('display');
-  return firefox.launch({
+function launchFirefox(
+  executablePath: string,
+  display: string,
+  downloadsPath: string,
+): Promise<BrowserServer> {
+  return firefox.launchServer({
+    host: '127.0.0.1',
     channel: 'moz-firefox',
     executablePath,
     headless: false,
-    downloadsPath: downloadsFolder,
+    downloadsPath,
     env: { ...process.env, ...(display ? { DISPLAY: display } : {}), LIBGL_ALWAYS_SOFTWARE: '1' },
     firefoxUserPrefs: { 'ui.prefersReducedMotion': 1, 'webgl.force-enabled': true },
   });

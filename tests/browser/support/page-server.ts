@@ -3,21 +3,24 @@ import { fileURLToPath } from 'node:url';
 import { build, preview } from 'vite';
 
 const root = (path: string) => fileURLToPath(new URL(`../../../${path}`, import.meta.url));
+const configFile = root('vite.config.ts');
 
 export interface PageServer {
   readonly url: string;
   close(): Promise<void>;
 }
 
-/** Builds the page as it is shipped and serves it on a free port of this machine. */
-export async function servePage(): Promise<PageServer> {
-  const configFile = root('vite.config.ts');
-  const outDir = root('tests/out/page');
-  await build({ configFile, logLevel: 'error', build: { outDir } });
+/** Builds the page as it is shipped. @param folder from the root of the tree */
+export async function buildPage(folder: string): Promise<void> {
+  await build({ configFile, logLevel: 'error', build: { outDir: root(folder) } });
+}
+
+/** Serves a built page on a free port of this machine. */
+export async function servePage(folder: string): Promise<PageServer> {
   const server = await preview({
     configFile,
     logLevel: 'error',
-    build: { outDir },
+    build: { outDir: root(folder) },
     preview: { port: 0, host: '127.0.0.1' },
   });
   const { port } = server.httpServer.address() as AddressInfo;

@@ -14,14 +14,12 @@ const types: Readonly<Record<string, string>> = {
   '.svg': 'image/svg+xml',
 };
 
-/** Builds the element as it is shipped. @returns the folder of its three files */
-export async function buildElement(): Promise<string> {
-  const outDir = root('tests/out/element');
+/** Builds the three files of the element as it is shipped. @param folder from the root of the tree */
+export async function buildElement(folder: string): Promise<void> {
   for (const mode of ['element', 'worker']) {
-    const options = { outDir, emptyOutDir: mode === 'element' };
+    const options = { outDir: root(folder), emptyOutDir: mode === 'element' };
     await build({ configFile: root('vite.config.ts'), mode, logLevel: 'error', build: options });
   }
-  return outDir;
 }
 
 /** A path as it was written; one that is not well encoded stays as it is. */

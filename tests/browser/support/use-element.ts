@@ -1,8 +1,7 @@
 import type { Browser, Page } from 'playwright-core';
-import { afterAll, beforeAll } from 'vitest';
-import { makeSamples } from '../../../web/build/samples.mjs';
-import { launch } from './launch.ts';
-import { buildElement, type StaticServer, serveStatic } from './static-server.ts';
+import { afterAll, beforeAll, inject } from 'vitest';
+import { connect } from './connect.ts';
+import { type StaticServer, serveStatic } from './static-server.ts';
 
 /** Where the samples lie, from the root of the tree. */
 export const samples = 'public/samples';
@@ -13,15 +12,13 @@ export interface ElementPages {
   serve(pages: Readonly<Record<string, string>>, csp?: string): Promise<StaticServer>;
 }
 
-/** The element as it is shipped, and one browser, for all tests of a file. */
+/** The element as it is shipped, and the browser. */
 export function useElement(): ElementPages {
   let browser: Browser;
-  let folders: Record<string, string>;
+  const folders = { whittle: inject('shared').element, samples };
   const servers: StaticServer[] = [];
   beforeAll(async () => {
-    await makeSamples();
-    folders = { whittle: await buildElement(), samples };
-    browser = await launch();
+    browser = await connect();
   });
   afterAll(async () => {
     await browser?.close();

@@ -1,8 +1,7 @@
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect } from 'vitest';
+import { afterAll, afterEach, beforeAll, expect, inject } from 'vitest';
 import { errorsOf, openPage } from './browser.ts';
-import { launch } from './launch.ts';
-import { type PageServer, servePage } from './page-server.ts';
+import { connect } from './connect.ts';
 
 export interface PageFactory {
   readonly browser: Browser;
@@ -11,18 +10,16 @@ export interface PageFactory {
   open(options?: BrowserContextOptions): Promise<Page>;
 }
 
-/** One server and one browser for all tests of a file. */
+/** The page as it is shipped, and the browser. */
 export function usePage(): PageFactory {
-  let server: PageServer;
+  const { url } = inject('shared');
   let browser: Browser;
   const pages: Page[] = [];
   beforeAll(async () => {
-    server = await servePage();
-    browser = await launch();
+    browser = await connect();
   });
   afterAll(async () => {
     await browser?.close();
-    await server?.close();
   });
   afterEach(async () => {
     for (const page of pages.splice(0)) {
@@ -34,11 +31,9 @@ export function usePage(): PageFactory {
     get browser() {
       return browser;
     },
-    get url() {
-      return server.url;
-    },
+    url,
     open: async (options) => {
-      const page = await openPage(browser, server.url, options);
+      const page = await openPage(browser, url, options);
       pages.push(page);
       return page;
     },
