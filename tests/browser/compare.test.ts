@@ -93,7 +93,11 @@ it('compares up to as many as there are, by keys alone, and can be read by all',
 });
 
 it.runIf(canEmulate)('stands one above the other on a phone', async () => {
-  const page = await pages.open({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  const page = await pages.open({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    deviceScaleFactor: 1,
+  });
   await page.locator('.switch').getByText('Pose', { exact: true }).tap();
   await done(page, 'Pose');
   await page.locator('[data-act=beside]').tap();

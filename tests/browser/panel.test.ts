@@ -48,7 +48,7 @@ it.runIf(canEmulate).each([
   ['on a desk', {}],
   ['on a phone', phone],
 ] as const)('keeps Export in reach %s, in one scroll', async (_, options) => {
-  page = await pages.open(options);
+  page = await pages.open({ ...options, deviceScaleFactor: 1 });
   await page.locator('.switch label').nth(1).click();
   await entered(page, 'Octahedron');
   if (await act('all-styles').isVisible()) await act('all-styles').click();
