@@ -9,7 +9,13 @@ import { drawPoints } from './points.ts';
 /** What tools draw over the mesh, by names of their choice. Another mesh takes all of it away. */
 export class Layers {
   readonly #viewer: Viewer;
-  readonly #drawn = new Map<string, { layer: Layer; drawn: DrawnLayer }>();
+  /** By name; each with the number of drawings before it. */
+  readonly #drawn = new Map<string, { layer: Layer; drawn: DrawnLayer; since: number }>();
+  /**
+   * What is drawn no more, each with the number of drawings with it. It is freed once another picture has been drawn: a program that
+   * no material needs is forgotten, and to link it anew for the layer that comes in its place takes longer than the picture.
+   */
+  readonly #retired: { drawn: DrawnLayer; until: number }[] = [];
   readonly #unlisten: () => void;
 
   constructor(viewer: Viewer) {
@@ -25,15 +31,16 @@ export class Layers {
   set(name: string, layer: Layer | null): void {
     const present = this.#drawn.get(name);
     if (present?.layer === layer || (!present && !layer)) return;
-    if (present) this.#remove(name, present.drawn);
+    if (present) this.#retire(name, present);
     const { surface, overlay } = this.#viewer.space;
     if (layer && surface) {
       const drawn = draw(layer, surface);
       const { clientWidth, clientHeight } = this.#viewer.canvas;
       drawn.resize?.(clientWidth, clientHeight);
       overlay.add(drawn.object);
-      this.#drawn.set(name, { layer, drawn });
+      this.#drawn.set(name, { layer, drawn, since: this.#viewer.drawings });
     }
+    this.#free(this.#viewer.drawings);
     this.#viewer.invalidate();
   }
 
@@ -43,7 +50,8 @@ export class Layers {
   }
 
   clear(): void {
-    for (const [name, { drawn }] of this.#drawn) this.#remove(name, drawn);
+    for (const [name, present] of this.#drawn) this.#retire(name, present);
+    this.#free(Number.POSITIVE_INFINITY);
   }
 
   resize(width: number, height: number): void {
@@ -55,10 +63,18 @@ export class Layers {
     this.clear();
   }
 
-  #remove(name: string, { object, dispose }: DrawnLayer): void {
-    object.removeFromParent();
-    dispose();
+  #retire(name: string, { drawn, since }: { drawn: DrawnLayer; since: number }): void {
+    drawn.object.removeFromParent();
     this.#drawn.delete(name);
+    const until = this.#viewer.drawings;
+    if (since < until) this.#retired.push({ drawn, until });
+    else drawn.dispose();
+  }
+
+  /** Frees what was retired before so many drawings; the oldest stand first. */
+  #free(drawings: number): void {
+    while (this.#retired.length > 0 && this.#retired[0]!.until < drawings)
+      this.#retired.shift()!.drawn.dispose();
   }
 }
 
