@@ -13,6 +13,12 @@ export interface HandleGroup {
 
 export const noHandles: Handles = Object.freeze({ vertices: [], targets: [] });
 
+/** Handles with those that stay among the others, their own places for targets. @param rest #P×3, the step's rest shape */
+export function spelledOut(handles: Handles, rest: ArrayLike<number>): Handles {
+  const { fixed, ...others } = handles;
+  return fixed ? withHandles(others, fixed, rest) : handles;
+}
+
 /**
  * The handles by the groups that they are in; those in none are one group of what is held and one of what is moved.
  *

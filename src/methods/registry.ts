@@ -4,6 +4,7 @@ import { cubic } from './cubic.ts';
 import type { MethodDescriptor } from './descriptor.ts';
 import { developable } from './developable.ts';
 import { normalmap } from './normalmap.ts';
+import { plastic } from './plastic.ts';
 import { polycube } from './polycube.ts';
 import { reshape } from './reshape.ts';
 import { spherical } from './spherical.ts';
@@ -16,6 +17,7 @@ export const methods: readonly MethodDescriptor[] = [
   developable,
   normalmap,
   reshape,
+  plastic,
   arap,
   spherical,
 ];

@@ -21,8 +21,8 @@ export function isUnheld(method: MethodDescriptor | undefined, values: Parameter
   if (method?.intent !== 'move') return false;
   const [handles, planes] = [handlesParameter(method), planesParameter(method)].map(
     (name) => name && values[name],
-  );
-  return !(handles as Handles | undefined)?.vertices.length && !(planes as Planes | undefined)?.length;
+  ) as [Handles | undefined, Planes | undefined];
+  return !handles?.vertices.length && !handles?.fixed?.length && !planes?.length;
 }
 
 /** Vertices held on planes. */

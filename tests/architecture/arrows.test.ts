@@ -57,7 +57,8 @@ const coreArrows: Record<string, string[]> = {
   targets: ['geometry', 'mesh', 'simd', 'base'],
   constraints: ['geometry', 'linear', 'mesh', 'simd', 'base'],
   remeshing: ['geometry', 'mesh', 'simd', 'base'],
-  methods: ['constraints', 'targets', 'remeshing', 'linear', 'geometry', 'mesh', 'simd', 'base'],
+  optimization: ['linear', 'simd', 'base'],
+  methods: ['constraints', 'targets', 'remeshing', 'optimization', 'linear', 'geometry', 'mesh', 'simd', 'base'],
   session: ['methods', 'constraints', 'targets', 'mesh', 'base'],
 };
 
@@ -103,6 +104,7 @@ describe('arrows of the house', () => {
       'columns',
       'slices',
       'row_planes',
+      'symmetric_blocks',
     ].map((name) => `linear/${name}.h`);
     const users = ['wasm/core', 'wasm/bindings', 'wasm/bench'].flatMap((folder) =>
       filesBelow(folder, /\.(h|cpp)$/),

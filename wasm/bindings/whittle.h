@@ -50,7 +50,8 @@ WHITTLE_API int whittle_select(WhittleSession* session, const char* method);
 ///   sphereField       indices are the width and height of a picture of the sphere, 2:1, numbers its pixels from 0 to 1, rows
 ///                     from the top
 ///   textureSlopes     numbers are texture coordinates, then slopes of the faces' corners, both 3·#F×2
-///   handles           indices are vertices as they were loaded, numbers their targets, #handles×3 in the file's units
+///   handles           indices are vertices as they were loaded, numbers their targets, 3 each in the file's units; vertices
+///                     at the end that have none stay where they are
 ///   planes            indices are, plane by plane, how many vertices it holds and these; numbers a normal of any length
 ///                     but zero and an offset for each, normal·x = offset in the file's units
 WHITTLE_API int whittle_set_value(WhittleSession* session, const char* parameter, const char* name,

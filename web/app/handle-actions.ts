@@ -6,6 +6,7 @@ import {
   handleGroups,
   movedHandles,
   noHandles,
+  spelledOut,
   withHandles,
   withoutHandles,
 } from '../../src/editor/handle-groups.ts';
@@ -48,7 +49,8 @@ export class HandleActions {
   get handles(): Handles {
     const { project, parameter } = this;
     const value = project && parameter && activeStep(project).parameters[parameter];
-    return (value as Handles | undefined) ?? noHandles;
+    const rest = value && restShapeOf(project, project.active);
+    return rest ? spelledOut(value as Handles, rest) : noHandles;
   }
 
   get groups(): readonly HandleGroup[] {

@@ -69,7 +69,7 @@ struct Bench {
     Stale made = Stale::nothing;
     return values.set(parameter, raw, context(), made);
   }
-  MeshContext context() const { return {mesh.vertexCount(), mesh.faceCount(), UnitFrame::of(mesh)}; }
+  MeshContext context() const { return {mesh.vertexCount(), mesh.faceCount(), UnitFrame::of(mesh), &mesh.positions}; }
 };
 
 GaussMapData tetrahedron(GaussMapData::Kind kind) {
@@ -168,6 +168,10 @@ TEST_CASE("handles have their targets in the unit frame, and other targets leave
   CHECK(bench.values.values().handles.targets.row(0).transpose() == expected);
   CHECK(bench.set("handles", encoded(Handles{{2}, 2 * target})) == Stale::targets);
   CHECK(bench.set("handles", encoded(Handles{{3}, 2 * target})) == Stale::system);
+  // Without a target a vertex has its own place for one.
+  bench.set("handles", EncodedValue{"", {1, 2, 3}, {3, 1}});
+  const Vec3 place = UnitFrame::of(bench.mesh).toUnit(bench.mesh.positions.row(1).transpose());
+  CHECK(bench.values.values().handles.targets.row(1).transpose() == place);
 }
 
 TEST_CASE("planes stand in the unit frame, and those that are shifted leave the system as it is") {
@@ -224,6 +228,7 @@ TEST_CASE("what a kind cannot read is refused with the parameter's name, and the
   refuses("field", encoded(Scalars::Zero(8)));
   refuses("handles", encoded(Handles{{4}, Points::Zero(1, 3)}));
   refuses("handles", EncodedValue{"", {0, 0}, {1}});
+  refuses("handles", EncodedValue{"", {0, 0, 0, 0, 0, 0}, {1}});
   refuses("planes", encoded(Planes{{{4}, Vec3::UnitX(), 0}}));
   refuses("planes", encoded(Planes{{{-1}, Vec3::UnitX(), 0}}));
   refuses("planes", encoded(Planes{{{1}, Vec3::Zero(), 0}}));

@@ -53,7 +53,8 @@ Points stepped(Session& session, const TriangleMesh& mesh) {
   return positionsOf(session, mesh);
 }
 
-constexpr const char* kMethods[] = {"cubic", "analogy", "polycube", "developable", "normalmap", "arap", "spherical"};
+constexpr const char* kMethods[] = {"cubic",     "analogy", "polycube", "developable",
+                                    "normalmap", "plastic", "arap",     "spherical"};
 
 TextureSlopes slopesOn(const TriangleMesh& mesh) {
   TextureSlopes texture{CornerPairs(3 * mesh.faceCount(), 2), CornerPairs::Constant(3 * mesh.faceCount(), 2, 0.25f)};

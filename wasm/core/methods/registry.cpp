@@ -6,6 +6,7 @@
 #include "methods/local_global/normal_driven/analogy.h"
 #include "methods/local_global/normal_driven/developable.h"
 #include "methods/local_global/normal_driven/normal_map.h"
+#include "methods/plastic/plastic.h"
 #include "methods/polycube/polycube.h"
 #include "methods/spherical/conformal_flow.h"
 
@@ -14,7 +15,7 @@ namespace whittle {
 const std::vector<MethodInfo>& methodRegistry() {
   static const std::vector<MethodInfo> methods = {cubicMethod(),       analogyMethod(),   polycubeMethod(),
                                                   developableMethod(), normalmapMethod(), reshapeMethod(),
-                                                  arapMethod(),        sphericalMethod()};
+                                                  plasticMethod(),     arapMethod(),      sphericalMethod()};
   return methods;
 }
 

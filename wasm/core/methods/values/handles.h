@@ -8,8 +8,8 @@
 
 namespace whittle {
 
-/// Vertices held at places: indices are the vertices, numbers their targets, #handles×3 in the file's units; kept in
-/// the unit frame. None by default.
+/// Vertices held at places: indices are the vertices, numbers their targets, 3 each in the file's units; kept in the unit
+/// frame. Vertices at the end for which there are no numbers are held where they are. None by default.
 struct HandlesKind {
   using Value = Handles;
   static constexpr const char* kName = "handles";

@@ -34,6 +34,7 @@ struct MeshContext {
   Index vertexCount = 0;
   Index faceCount = 0;
   UnitFrame frame;
+  const Points* positions = nullptr;  // #V×3, in the file's units
 };
 
 /// A raw value that owns what it is made of, for callers that have typed values. Each kind encodes its own.
