@@ -40,10 +40,7 @@ function sentence({ activity, project }: PageState): string {
     case 'solving':
       if (activity.preparing)
         return `${capital(activity.preparing.stage)}… ${Math.round(100 * activity.preparing.share)} %`;
-      if (!activity.live) return 'Settling…';
-      return activity.iteration > 0
-        ? `${working(project)}… iteration ${activity.iteration}`
-        : `${working(project)}…`;
+      return `${activity.live ? working(project) : 'Settling'}…${activity.iteration > 0 ? ` iteration ${activity.iteration}` : ''}`;
     default:
       return rest(project);
   }
