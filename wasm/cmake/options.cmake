@@ -10,10 +10,15 @@ target_compile_definitions(whittle_options INTERFACE EIGEN_MPL2_ONLY)
 # No contraction: a multiply-add fused on one machine and not on another would give other bits.
 target_compile_options(whittle_options INTERFACE -Wall -Wextra -Wno-psabi -fno-exceptions -ffp-contract=off)
 
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # By default the compiler looks for garbage from 100 MB on, and finds little of it among Eigen's templates.
+  target_compile_options(whittle_options INTERFACE --param=ggc-min-heapsize=524288)
+endif()
+
 option(WHITTLE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 if(WHITTLE_SANITIZE)
   target_compile_options(whittle_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                   -fno-omit-frame-pointer -g)
+                                                   -fno-omit-frame-pointer)
   target_link_options(whittle_options INTERFACE -fsanitize=address,undefined)
 endif()
 
