@@ -58,7 +58,17 @@ const coreArrows: Record<string, string[]> = {
   constraints: ['geometry', 'linear', 'mesh', 'simd', 'base'],
   remeshing: ['geometry', 'mesh', 'simd', 'base'],
   optimization: ['linear', 'simd', 'base'],
-  methods: ['constraints', 'targets', 'remeshing', 'optimization', 'linear', 'geometry', 'mesh', 'simd', 'base'],
+  methods: [
+    'constraints',
+    'targets',
+    'remeshing',
+    'optimization',
+    'linear',
+    'geometry',
+    'mesh',
+    'simd',
+    'base',
+  ],
   session: ['methods', 'constraints', 'targets', 'mesh', 'base'],
 };
 

@@ -54,7 +54,8 @@ Status Session::requireMethod() const {
 Status Session::set(const std::string& parameter, const RawValue& value) {
   if (Status status = requireMethod(); !status.ok()) return status;
   Stale made = Stale::nothing;
-  const Status status = values_->set(parameter, value, {rest_.vertexCount(), rest_.faceCount(), frame_, &filePositions_}, made);
+  const Status status =
+      values_->set(parameter, value, {rest_.vertexCount(), rest_.faceCount(), frame_, &filePositions_}, made);
   if (!status.ok()) return inFileNumbers(status);
   if (made != Stale::nothing) markStale(made);
   return {};
