@@ -1,15 +1,17 @@
 // Checks and tests, each with the set-up that it needs.
-//   node tests/run.mjs PIECE …              several pieces, one after the other; ends at the first that fails
-//   node tests/run.mjs PIECE [ARGUMENT …]   one piece, its programs given the arguments
-import { spawnSync } from 'node:child_process';
+//   node tests/run.mjs PIECE …              several pieces, their programs side by side; starts no more once one has failed
+//   node tests/run.mjs PIECE [ARGUMENT …]   one piece, its programs one after the other and given the arguments
+import { spawn, spawnSync } from 'node:child_process';
+import { availableParallelism } from 'node:os';
 import { chdir, execPath } from 'node:process';
+import { text } from 'node:stream/consumers';
 import { fileURLToPath } from 'node:url';
 
 chdir(fileURLToPath(new URL('..', import.meta.url)));
 const bin = (name) => `node_modules/.bin/${name}`;
 const vitest = (title, project) => [title, bin('vitest'), 'run', '--project', project];
 
-/** Programs of each piece: a title, the command and its arguments. */
+/** Programs of each piece: a title, the command and its arguments. Those that take longest stand first, so that none runs alone in the end. */
 const pieces = {
   format: [
     ['Formatting and lint', bin('biome'), 'check', '--error-on-warnings', '.'],
@@ -19,19 +21,18 @@ const pieces = {
     `Types of ${folder}`,
     ...[bin('tsc'), '-p', folder, '--noEmit'],
   ]),
-  core: [
-    ['C++ tests, native with sanitizers', 'wasm/build/native-tests/tests/whittle-core-tests'],
-    [
-      'C++ tests, wasm in Node',
-      ...[execPath, 'wasm/build/wasm-tests/tests/whittle-core-tests.cjs', '--no-colors'],
-    ],
-  ],
-  'core-release': [['C++ tests, native release', 'wasm/build/release-tests/tests/whittle-core-tests']],
-  library: [vitest('Library, command line and page logic, in Node', 'node')],
+  firefox: [vitest('The page in Firefox', 'firefox')],
   chromium: [vitest('The page in Chromium', 'chromium')],
   figures: [vitest('The papers’ figures, made on the page', 'figures')],
-  firefox: [vitest('The page in Firefox', 'firefox')],
+  library: [vitest('Library, command line and page logic, in Node', 'node')],
+  core: [
+    ['C++ tests, native with sanitizers', 'wasm/build/native-tests/tests/whittle-core-tests'],
+    ['C++ tests, wasm in Node', ...[execPath, 'wasm/build/wasm/tests/whittle-core-tests.cjs', '--no-colors']],
+  ],
+  'core-release': [['C++ tests, native release', 'wasm/build/release-tests/tests/whittle-core-tests']],
 };
+/** What is over in seconds and needs nothing built; it is run before anything is. */
+const quick = ['format', 'types'];
 
 const words = process.argv.slice(2);
 const isPiece = (word) => Object.hasOwn(pieces, word);
@@ -44,19 +45,63 @@ if (wanted.length > 1 && passedOn.length > 0)
     `${passedOn.join(' ')} can be passed on to one piece only, as in: npm run test:library -- tests/editor`,
   );
 
-if (run([execPath, 'wasm/tools/setup.mjs', ...wanted]) !== 0) process.exit(1);
-for (const [title, ...command] of wanted.flatMap((name) => pieces[name])) {
-  console.log(`\n── ${title}`);
-  const started = performance.now();
-  if (run([...command, ...passedOn]) !== 0) fail(`\n${title} failed.`);
-  console.log(`${((performance.now() - started) / 1000).toFixed(1)} s`);
+if (wanted.length === 1) inTurn(wanted[0]);
+else {
+  const ordered = Object.keys(pieces).filter((name) => wanted.includes(name));
+  await sideBySide(ordered.filter((name) => quick.includes(name)));
+  await sideBySide(ordered.filter((name) => !quick.includes(name)));
 }
 console.log('\nAll passed.');
 
-function run([command, ...args]) {
-  const { status, error } = spawnSync(command, args, { stdio: 'inherit' });
-  if (error) console.error(error.message);
-  return status;
+/** Each program of a piece, its output as it comes. */
+function inTurn(piece) {
+  setUp([piece]);
+  for (const [title, command, ...args] of pieces[piece]) {
+    console.log(`\n── ${title}`);
+    const started = performance.now();
+    const { status, error } = spawnSync(command, [...args, ...passedOn], { stdio: 'inherit' });
+    if (error) console.error(error.message);
+    if (status !== 0) fail(`\n${title} failed.`);
+    console.log(secondsSince(started));
+  }
+}
+
+/** All programs of some pieces, the output of each once it is over. One more than there are processors: browsers wait now and then. */
+async function sideBySide(names) {
+  if (names.length === 0) return;
+  setUp(names);
+  const waiting = names.flatMap((name) => pieces[name]);
+  const failed = [];
+  const lane = async () => {
+    for (let next = waiting.shift(); next && failed.length === 0; next = waiting.shift())
+      if (!(await passes(next))) failed.push(next[0]);
+  };
+  await Promise.all(Array.from({ length: availableParallelism() + 1 }, lane));
+  if (failed.length > 0) fail(`\nFailed: ${failed.join('; ')}.`);
+}
+
+async function passes([title, command, ...args]) {
+  const started = performance.now();
+  console.log(`${title} …`);
+  const program = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+  const ended = new Promise((resolve) => {
+    program.on('error', ({ message }) => resolve(message));
+    program.on('close', resolve);
+  });
+  const output = await Promise.all([text(program.stdout), text(program.stderr)]);
+  const outcome = await ended;
+  console.log(`\n── ${title}\n${output.join('')}${secondsSince(started)}`);
+  if (typeof outcome === 'string') console.error(outcome);
+  return outcome === 0;
+}
+
+function setUp(names) {
+  const { status } = spawnSync(execPath, ['wasm/tools/setup.mjs', ...names], { stdio: 'inherit' });
+  if (status !== 0) process.exit(1);
+}
+
+function secondsSince(started) {
+  return `${((performance.now() - started) / 1000).toFixed(1)} s`;
 }
 
 function fail(sentence) {

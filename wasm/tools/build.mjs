@@ -7,13 +7,17 @@ const programs = [
   'wasm/build/native-bench/bench/whittle-bench',
   'wasm/build/wasm-bench/bench/whittle-bench.cjs',
 ];
+const testPrograms = [
+  'wasm/build/native-tests/tests/whittle-core-tests',
+  'wasm/build/wasm/tests/whittle-core-tests.cjs',
+];
 const testSources = [...sources, 'wasm/reference', 'tests/core'];
 
 /** Builds the wasm module into wasm/dist; Draco's decoder comes beside it, where the worker finds it. */
 export function buildWasm() {
   const state = fingerprint(sources, probe('em++')?.split('\n')[0]);
   if (!existsSync('wasm/dist/whittle-core.wasm') || !isFresh('wasm', state)) {
-    configureAndBuild('Building the core as wasm', 'wasm/build/wasm', [], 'emcmake');
+    configureAndBuild('Building the core as wasm', 'wasm/build/wasm', [], 'emcmake', 'whittle-core');
     markFresh('wasm', state);
   }
   copyFileSync('node_modules/draco3d/draco_decoder.wasm', 'wasm/dist/draco_decoder.wasm');
@@ -22,16 +26,16 @@ export function buildWasm() {
 /** Builds the C++ tests: natively with sanitizers and Eigen's own checks, and as wasm for Node. */
 export function buildTests() {
   const state = fingerprint(testSources, probe('c++')?.split('\n')[0]);
-  if (existsSync('wasm/build/native-tests') && isFresh('native-tests', state)) return;
+  if (testPrograms.every(existsSync) && isFresh('native-tests', state)) return;
   const checked = ['-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1', '-DWHITTLE_SANITIZE=ON'];
   configureAndBuild('Building the C++ tests with sanitizers', 'wasm/build/native-tests', [
     '-DWHITTLE_TESTS=ON',
     ...checked,
   ]);
-  // Only the tests: the module itself is in wasm/dist already, and something may be running it.
+  // They take the core that the module is made of; the module itself is left alone, because something may be running it.
   configureAndBuild(
     'Building the C++ tests as wasm',
-    'wasm/build/wasm-tests',
+    'wasm/build/wasm',
     ['-DWHITTLE_TESTS=ON'],
     'emcmake',
     'whittle-core-tests',
