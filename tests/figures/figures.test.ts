@@ -16,12 +16,12 @@ import { Showroom } from './showroom.ts';
 const showroom = process.env.WHITTLE_FIGURES ? new Showroom('public/docs/figures') : null;
 
 const pages = usePage();
-const window = { viewport: { width: 1200, height: 800 }, ...(showroom ? { deviceScaleFactor: 1 } : {}) };
+const window = { width: 1200, height: 800 };
 
 it.each(figures)(
   '$id is made on the page by pointer and keys, and by its recipe to the bit',
   async (figure) => {
-    const page = await pages.open(window);
+    const page = await pages.open({ viewport: window });
     const hand = new Hand(page);
     const { mesh } = figure;
     if (mesh?.bytes) await hand.dropFile(mesh.title, mesh.bytes());

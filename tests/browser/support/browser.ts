@@ -4,9 +4,10 @@ import { browserName } from './connect.ts';
 
 /**
  * In Chromium, a quarter of the pixels: most of its time went into drawing them with the processor, and pictures are compared, not looked
- * at. Firefox draws them all. Where boxes are measured, ask for `deviceScaleFactor: 1`.
+ * at. Firefox draws them all, and so do pictures of figures that are kept. Where boxes are measured, ask for `deviceScaleFactor: 1`.
  */
-const fewerPixels: BrowserContextOptions = browserName === 'chromium' ? { deviceScaleFactor: 0.5 } : {};
+const fewerPixels: BrowserContextOptions =
+  browserName === 'chromium' && !process.env.WHITTLE_FIGURES ? { deviceScaleFactor: 0.5 } : {};
 
 /** A page at rest with the first sample carved. Whatever it throws fails the test that asks for {@link errorsOf}. */
 export async function openPage(
