@@ -66,7 +66,7 @@ function inTurn(piece) {
   }
 }
 
-/** All programs of some pieces, the output of each once it is over. One more than there are processors: browsers wait now and then. */
+/** All programs of some pieces, as many at a time as there are processors; the output of each once it is over. */
 async function sideBySide(names) {
   if (names.length === 0) return;
   setUp(names);
@@ -76,7 +76,7 @@ async function sideBySide(names) {
     for (let next = waiting.shift(); next && failed.length === 0; next = waiting.shift())
       if (!(await passes(next))) failed.push(next[0]);
   };
-  await Promise.all(Array.from({ length: availableParallelism() + 1 }, lane));
+  await Promise.all(Array.from({ length: availableParallelism() }, lane));
   if (failed.length > 0) fail(`\nFailed: ${failed.join('; ')}.`);
 }
 
