@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "optimization/constrained_descent.h"
 #include "optimization/dual_gauss_newton.h"
 #include "optimization/limited_memory.h"
 #include "support/shapes.h"
@@ -97,4 +98,39 @@ TEST_CASE("numbers that are not finite are refused") {
   DualStep step;
   const Scalars bad = Vec3(1, std::nan(""), 0);
   CHECK(solveDual(Eigen::MatrixXd::Identity(3, 3), bad, Eigen::MatrixXd(3, 0), step).code == Code::numericalFailure);
+}
+
+TEST_CASE("a low-rank inverse of what has that rank, and a rest, is the inverse") {
+  Noise noise;
+  const Eigen::MatrixXd root = someMatrix(noise, 12, 4), K = root * root.transpose();
+  const std::vector<Index> known = {1, 4, 7, 10};
+  Eigen::MatrixXd C(12, 4);
+  for (Index c = 0; c < 4; ++c) C.col(c) = K.col(known[c]);
+  LowRankInverse inverse;
+  inverse.take(C, known, 1.5);
+  const Eigen::MatrixXd M = K + 1.5 * Eigen::MatrixXd::Identity(12, 12);
+  CHECK((inverse.apply(M) - Eigen::MatrixXd::Identity(12, 12)).norm() < 1e-8);
+}
+
+TEST_CASE("descent by products alone comes to the dual step, in few of them where most columns are known") {
+  Noise noise;
+  const Eigen::MatrixXd root = someMatrix(noise, 40, 8);
+  const Eigen::MatrixXd K = 100 * root * root.transpose() + 0.2 * someDefinite(noise, 40);
+  const Scalars y = someMatrix(noise, 40, 1);
+  const std::vector<Index> known = {0, 5, 10, 15, 20, 25, 30, 35};
+  Eigen::MatrixXd C(40, 8);
+  for (Index c = 0; c < 8; ++c) C.col(c) = K.col(known[c]);
+  for (const Index free : {0, 3}) {
+    const Eigen::MatrixXd G = someMatrix(noise, 40, free);
+    DualStep step;
+    REQUIRE(solveDual(K, y, G, step).ok());
+    LowRankInverse inverse;
+    inverse.take(C, known, 3);
+    ConstrainedDescent descent;
+    descent.begin(y, G, inverse, {.residual = 1e-9, .iterations = 100});
+    while (!descent.isDone()) descent.advance(descent.direction() + K * descent.direction());
+    CHECK((descent.multipliers() - step.multipliers).norm() < 1e-7 * step.multipliers.norm());
+    CHECK((descent.free() - step.free).norm() <= 1e-7 * step.free.norm());
+    CHECK(descent.iterations() < 40);
+  }
 }

@@ -188,6 +188,19 @@ TEST_CASE("faces without area, doubled faces and vertices without faces do no ha
         0.02 * diagonal(whole.mesh));
 }
 
+TEST_CASE("landmarks by the hundred are met as well, held by nothing but each other") {
+  Gesture gesture{animal(3)};
+  const double size = diagonal(gesture.mesh);
+  for (Index v = 0; v < gesture.mesh.vertexCount(); v += 3) {
+    const Vec3 p = gesture.at(v);
+    gesture.move(v, p + 0.1 * size * Vec3(0.3 * p.y() * p.y(), 0.4 * p.x(), 0.2 * p.x() * p.z()));
+  }
+  CHECK(gesture.landmarks.vertices.size() > 80);
+  const Solved solved = solve(gesture);
+  CHECK(meanError(gesture, solved.positions) < 0.05);
+  CHECK(foldCount(solved.positions, gesture.mesh.triangles) == 0);
+}
+
 TEST_CASE("targets beyond all measure are refused with their vertex") {
   Gesture gesture = ear();
   gesture.landmarks.targets.bottomRows(1) *= 1e6;

@@ -7,6 +7,7 @@
 
 #include "geometry/surface.h"
 #include "mesh/edges.h"
+#include "methods/plastic/plastic.h"
 #include "session/session.h"
 #include "support/runs.h"
 #include "support/shapes.h"
@@ -94,13 +95,13 @@ double standingOut(const TriangleMesh& mesh, const Points& positions, Index vert
   return (positions.row(vertex) - middle).norm() / edge;
 }
 
-Result solve(const Gesture& gesture, const char* method, double radius = 0.15) {
+Result solve(const Gesture& gesture, const char* method, const PlasticParameters& parameters = {}) {
   Session session;
   REQUIRE(session.load(gesture.mesh).ok());
   REQUIRE(session.select(method).ok());
   const bool isPlastic = std::string(method) == "plastic";
   REQUIRE(session.set(isPlastic ? "landmarks" : "handles", encoded(gesture.landmarks)).ok());
-  if (isPlastic) REQUIRE(session.set("radius", encoded(radius)).ok());
+  if (isPlastic) REQUIRE(session.set("turn", encoded(parameters.turn)).ok());
   REQUIRE(session.prepare().ok());
   const Run run = finish(session);
   Result result{run.positions, run.outcome, run.energies.size(), 0, 0, 0, 0, 0};
@@ -174,13 +175,14 @@ TEST_CASE("a hump is pulled out of a body") {
   holds(gesture);
 }
 
-TEST_CASE("a bar is twisted by a right angle and bent by sixty degrees") {
-  for (const bool isTwist : {true, false}) {
+TEST_CASE("a bar is twisted by a right angle, by three, and bent by a hundred and twenty degrees") {
+  for (const double degrees : {90, 270, 120}) {
+    const bool isTwist = degrees != 120;
     Gesture gesture{longBox(24, 4)};
     const double left = gesture.mesh.positions.col(0).minCoeff(), right = gesture.mesh.positions.col(0).maxCoeff();
     gesture.hold([&](const Vec3& p) { return p.x() < left + 1e-9; });
     const Vec3 middle = gesture.mesh.positions.colwise().mean();
-    const double angle = (isTwist ? 90 : 60) * std::acos(-1.0) / 180;
+    const double angle = degrees * std::acos(-1.0) / 180;
     const Mat3 turn = Eigen::AngleAxisd(angle, isTwist ? Vec3::UnitX() : Vec3(Vec3::UnitY())).toRotationMatrix();
     const Vec3 start(left, middle.y(), middle.z()), end(right, middle.y(), middle.z());
     // The end of an arc as long as the bar.
@@ -190,10 +192,16 @@ TEST_CASE("a bar is twisted by a right angle and bent by sixty degrees") {
     for (Index v = 0; v < gesture.mesh.vertexCount(); ++v) {
       if (gesture.mesh.positions(v, 0) > right - 1e-9) gesture.add(v, to + turn * (gesture.at(v) - end));
     }
-    const Result result = solve(gesture, "plastic");
+    const Result result = solve(gesture, "plastic", {.turn = degrees});
     CHECK(result.outcome == Outcome::converged);
     CHECK(result.error < 0.02);
     CHECK(result.folds == 0);
+    // The middle has turned by half of it.
+    if (!isTwist) continue;
+    const Index side = gesture.nearest(middle + Vec3(0, 10, 0));
+    const Vec3 arm = result.positions.row(side).transpose() - middle, rest = gesture.at(side) - middle;
+    const Vec3 expected = Eigen::AngleAxisd(angle / 2, Vec3::UnitX()) * rest;
+    CHECK(arm.normalized().dot(expected.normalized()) > 0.8);
   }
 }
 

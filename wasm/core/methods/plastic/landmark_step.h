@@ -1,24 +1,20 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
+#include "methods/plastic/landmark_derivative.h"
 #include "methods/plastic/plastic_prior.h"
-#include "methods/plastic/sensitivity.h"
-#include "methods/plastic/shell_system.h"
+#include "optimization/constrained_descent.h"
+#include "optimization/dual_gauss_newton.h"
 
 namespace whittle {
 
-/// A point of the surface that is to come to a place: weights on up to three vertices.
-struct Landmark {
-  std::array<Index, 3> vertices = {-1, -1, -1};
-  Vec3 weights = Vec3::Zero();
-  Vec3 target = Vec3::Zero();
-
-  Vec3 at(const Points& positions) const;
-};
-
 /// The Gauss–Newton step of a shell at rest under what is plastic about it, towards its landmarks: the change of the
 /// plastic field and of the shape that goes with it, to first order. Slice by slice.
+///
+/// It is solved in the landmarks' coordinates. Of few landmarks J A⁻¹ Jᵀ is made as a whole; of many only the columns of
+/// some that lie far apart, which precondition conjugate gradients for all.
 class LandmarkStep {
  public:
   using Rows = PlasticPrior::Rows;
@@ -45,22 +41,42 @@ class LandmarkStep {
   double model() const { return model_; }
 
  private:
-  enum class Stage { compliance, sensitivities, prior, dual, predictor, done };
+  enum class Stage { derivative, offset, transposed, kept, images, descent, field, move, done };
 
-  void setLoads(Index first, Index count);
-  void takeSolutions(Index first);
-  void findSensitivities();
-  Status solveForField();
-  Status predict();
+  bool isWhole() const { return known_.size() == problem_->landmarks.size(); }
+  void choose();
+  Status advance();
+  void go(Stage next);
+  /// Whether the work of the stage, or of its part, is to be begun.
+  bool begins() { return !std::exchange(isBegun_, true); }
+  Status findTarget(bool& isReady);
+  Status findTransposed(bool& isReady);
+  Status findImages(bool& isReady);
+  Status findMove(bool& isReady);
+  void setTarget();
+  void setImages();
+  Status solveWhole(bool& isReady);
+  void beginDescent();
+  void takeField(const Rows& field);
+  Status descend();
 
   std::optional<Problem> problem_;
-  ShellSystem* system_ = nullptr;
   PlasticPrior* prior_ = nullptr;
+  ShellSystem* system_ = nullptr;
   Stage stage_ = Stage::done;
-  Index next_ = 0;
-  Rows batch_, compliance_;  // 3 #V×#rows: Y = K⁻¹ Cᵀ
-  Sensitivity sensitivity_;
-  Rows transposed_, kept_;  // Jᵀ and W = A⁻¹ Jᵀ, 6 #F×#rows
+  bool isBegun_ = false;  // the work of the stage
+  int part_ = 0;          // of a product by J A⁻¹ Jᵀ
+  LandmarkDerivative derivative_;
+  std::vector<Index> known_;  // landmarks whose columns are made
+  Rows selection_;            // #rows×3 #known
+  Rows kept_;                 // A⁻¹ Jᵀ of the known ones, and growth
+  Rows transposed_;           // Jᵀ of them
+  Rows column_, combination_;
+  Eigen::MatrixXd G_, images_;
+  Scalars target_;
+  LowRankInverse inverse_;
+  ConstrainedDescent descent_;
+  DualStep dual_;
   Points forces_, move_;
   Scalars change_, rigid_;
   double model_ = 0;

@@ -22,6 +22,8 @@ constexpr double kEverywhere = 1;
 constexpr std::size_t kFewLandmarks = 4;
 /// A landmark that is missed by more, in a shape that is 100 long, is said to be missed.
 constexpr double kMissed = 0.1;
+/// Stretch between landmarks from which on faces are drawn out too far to carry it.
+constexpr double kMostStretch = 4;
 
 }  // namespace
 
@@ -98,6 +100,7 @@ PlasticSettings Plastic::settingsOf(const PlasticParameters& values) const {
   settings.poisson = values.poisson;
   settings.resetsRest = values.resetRest;
   settings.aligns = values.align;
+  settings.turn = values.turn * std::acos(-1.0) / 180;
   settings.maxIterations = values.maxIterations;
   settings.beta = values.beta;
   settings.isByRadius = values.beta == 0 && values.radius < kEverywhere;
@@ -156,8 +159,16 @@ std::vector<std::string> Plastic::warnings(const PlasticParameters& values) cons
     return {"There are no landmarks, so nothing moves: hold some vertices and pull others."};
   if (isRadiusCapped_)
     remarks.push_back("While much is held the radius is taken as 0.2; farther growth would swell all of the shape.");
+  char text[200];
+  if (const double stretch = run_.demandedStretch(); stretch > kMostStretch) {
+    std::snprintf(
+        text, sizeof text,
+        "Two landmarks are to be %.1f times as far apart as they are; where that is more than four times, faces "
+        "may be drawn out or pass through each other: add landmarks, or pull less far.",
+        stretch);
+    remarks.push_back(text);
+  }
   if (const double error = run_.largestError(); error > kMissed) {
-    char text[160];
     std::snprintf(
         text, sizeof text,
         "A landmark is missed by %.1f %% of the shape's length: what the landmarks ask for does not go together "
@@ -178,6 +189,7 @@ MethodInfo plasticMethod() {
                                          bind("poisson", &P::poisson, Stale::system, NumberKind{{0, 0.49}}),
                                          bind("resetRest", &P::resetRest, Stale::system, FlagKind{}),
                                          bind("align", &P::align, Stale::system, FlagKind{}),
+                                         bind("turn", &P::turn, Stale::system, NumberKind{{0, 3600}}),
                                          bind("maxIterations", &P::maxIterations, Stale::targets, kIterations)});
 }
 

@@ -16,6 +16,7 @@ struct PlasticParameters {
   double poisson = 0.3;
   bool resetRest = true;
   bool align = true;
+  double turn = 0;  // of the moved landmarks in all, degrees; 0: the least
   int maxIterations = 20;
 };
 

@@ -17,7 +17,7 @@ constexpr double kParallelCost = 1e-7;
 /// Columns that are solved in a slice.
 constexpr Index kBatch = ConjugateGradients::kBatch;
 /// Double precision where it counts: what is left of a residual, and iterations for it.
-constexpr ConjugateGradients::Limits kSolve{1e-9, 8};
+constexpr ConjugateGradients::Limits kSolve{1e-6, 8};
 
 double clamped(double weight) { return std::clamp(weight, 1 / kMostWeight, kMostWeight); }
 
@@ -194,8 +194,9 @@ void PlasticPrior::takeOffGrowth(bool areLoads) {
   }
 }
 
-void PlasticPrior::beginSolve(Rows& columns) {
+void PlasticPrior::beginSolve(Rows& columns, bool isRough) {
   columns_ = &columns;
+  isRough_ = isRough;
   next_ = 0;
   takeOffGrowth(true);
 }
@@ -215,9 +216,15 @@ Status PlasticPrior::solveNext(bool& isDone) {
   for (Index row = 0; row < rows; ++row) {
     for (Index column = 0; column < width; ++column) rhs_(row, column) = at(row, column);
   }
-  solution_.setZero(rows, width);
-  const Status status = isScalar ? scalarFactor_.solveRefined(scalar_, rhs_, solution_, kSolve)
-                                 : deviatorFactor_.solveRefined(deviator_, rhs_, solution_, kSolve);
+  SparseCholesky& factor = isScalar ? scalarFactor_ : deviatorFactor_;
+  Status status;
+  if (isRough_) {
+    factor.solve(rhs_);
+    solution_ = rhs_;
+  } else {
+    solution_.setZero(rows, width);
+    status = factor.solveRefined(isScalar ? scalar_ : deviator_, rhs_, solution_, kSolve);
+  }
   for (Index row = 0; row < rows; ++row) {
     for (Index column = 0; column < width; ++column) at(row, column) = solution_(row, column);
   }

@@ -28,7 +28,8 @@ class PlasticPrior {
 
   /// Begins to overwrite columns (6 #F×k) with A⁻¹ times them; where β is 0, with what is orthogonal to free growth. Kept
   /// by the caller until the end.
-  void beginSolve(Rows& columns);
+  /// @param isRough in single precision, which is enough for a search direction
+  void beginSolve(Rows& columns, bool isRough = false);
   /// Does a slice; `isDone` says whether it was the last.
   Status solveNext(bool& isDone);
 
@@ -51,6 +52,7 @@ class PlasticPrior {
 
   // While columns are solved
   Rows* columns_ = nullptr;
+  bool isRough_ = false;
   Index next_ = 0;
   Rows rhs_, solution_;
 };

@@ -19,6 +19,9 @@ constexpr double kWorth = 1e-3;
 /// The farthest that a step turns a face, and the largest share of its stretch by which it changes that.
 constexpr double kFarthestTurn = 0.4, kFarthestStretch = 0.3;
 constexpr int kHalvings = 8;
+/// When a leg of a way is done: how near landmarks have come, or iterations.
+constexpr double kLegMet = 0.5;
+constexpr int kLegIterations = 6;
 
 double smallerStretch(const Mat2& S) { return (S.trace() - std::hypot(S(0, 0) - S(1, 1), 2 * S(0, 1))) / 2; }
 
@@ -75,9 +78,10 @@ void PlasticRun::takeActiveParts(const TriangleMesh& mesh, const LandmarkSet& la
   Index nodes = 0;
   for (Index& node : nodeOf_) node = node < 0 ? -1 : nodes++;
   landmarks_ = landmarks.moved;
+  targets_.clear();
   for (Landmark& landmark : landmarks_) {
     for (Index& v : landmark.vertices) v = v < 0 ? -1 : placeOf[v];
-    landmark.target = scale_ * (landmark.target - center_);
+    targets_.push_back(scale_ * (landmark.target - center_));
   }
   parts_ = connectedComponents(active_.triangles, active_.vertexCount());
 }
@@ -101,7 +105,7 @@ Status PlasticRun::prepareNext(double& share) {
 
 void PlasticRun::aim(const std::vector<Vec3>& targets, int maxIterations) {
   settings_.maxIterations = maxIterations;
-  for (std::size_t l = 0; l < targets.size(); ++l) landmarks_[l].target = scale_ * (targets[l] - center_);
+  for (std::size_t l = 0; l < targets.size(); ++l) targets_[l] = scale_ * (targets[l] - center_);
 }
 
 void PlasticRun::begin() {
@@ -112,6 +116,7 @@ void PlasticRun::begin() {
   if (landmarks_.empty()) return;
   positions_ = active_.positions;
   if (settings_.aligns) align();
+  findPath();
   shell_.setRestPositions(positions_);
   field_ = PlasticField::identity(shell_.faceCount());
   change_.setZero(6 * shell_.faceCount());
@@ -127,7 +132,7 @@ void PlasticRun::align() {
     for (const Landmark& landmark : landmarks_) {
       if (parts_.ofVertex[landmark.vertices[0]] != part) continue;
       points.push_back(landmark.at(positions_));
-      targets.push_back(landmark.target);
+      targets.push_back(targets_[&landmark - landmarks_.data()]);
     }
     const RigidMotion motion = alignment(held, points, targets);
     for (Index v = 0; v < active_.vertexCount(); ++v) {
@@ -135,6 +140,23 @@ void PlasticRun::align() {
         positions_.row(v) = motion(positions_.row(v).transpose()).transpose();
     }
   }
+}
+
+/// The way to the targets: of one part, against what is held of it.
+void PlasticRun::findPath() {
+  std::vector<Vec3> points;
+  for (const Landmark& landmark : landmarks_) points.push_back(landmark.at(positions_));
+  const bool isHeld = std::find(nodeOf_.begin(), nodeOf_.end(), -1) != nodeOf_.end();
+  path_ = isHeld && parts_.count == 1 ? TurnPath(points, targets_, settings_.turn) : TurnPath();
+  leg_ = 0;
+  goOn();
+}
+
+void PlasticRun::goOn() {
+  ++leg_;
+  iterationsOfLeg_ = 0;
+  for (std::size_t l = 0; l < landmarks_.size(); ++l)
+    landmarks_[l].target = leg_ < path_.legs() ? path_.target(l, leg_) : targets_[l];
 }
 
 double PlasticRun::squaredErrors(const Points& positions) const {
@@ -151,9 +173,28 @@ double PlasticRun::meanError() const {
 
 double PlasticRun::largestError() const {
   double largest = 0;
-  for (const Landmark& landmark : landmarks_)
-    largest = std::max(largest, (landmark.at(positions_) - landmark.target).norm());
+  for (std::size_t l = 0; l < landmarks_.size(); ++l)
+    largest = std::max(largest, (landmarks_[l].at(positions_) - targets_[l]).norm());
   return largest;
+}
+
+double PlasticRun::demandedStretch() const {
+  double most = 0;
+  const auto compare = [&](const Vec3& from, const Vec3& to, const Vec3& otherFrom, const Vec3& otherTo) {
+    const double apart = (from - otherFrom).norm();
+    if (apart > 0) most = std::max(most, (to - otherTo).norm() / apart);
+  };
+  for (std::size_t l = 0; l < landmarks_.size(); ++l) {
+    const Vec3 from = landmarks_[l].at(active_.positions);
+    for (std::size_t other = 0; other < l; ++other)
+      compare(from, targets_[l], landmarks_[other].at(active_.positions), targets_[other]);
+    for (Index v = 0; v < active_.vertexCount(); ++v) {
+      if (nodeOf_[v] >= 0 || parts_.ofVertex[v] != parts_.ofVertex[landmarks_[l].vertices[0]]) continue;
+      const Vec3 held = active_.positions.row(v).transpose();
+      compare(from, targets_[l], held, held);
+    }
+  }
+  return most;
 }
 
 Status PlasticRun::step(StepReport& report) {
@@ -176,8 +217,7 @@ Status PlasticRun::step(StepReport& report) {
       const double promised = objective_ - direction_.model();
       const double floor = objective_ + static_cast<double>(landmarks_.size()) * kMet * kMet;
       if (promised < kWorth * floor) {
-        finish(Outcome::converged);
-        report = {outcome_, objective_, 0};
+        endLeg(Outcome::converged, report);
         break;
       }
       share_ = longestShare(direction_.change());
@@ -204,8 +244,10 @@ void PlasticRun::beginIteration(StepReport& report) {
     shell_.setShape(positions_);
   }
   objective_ = squaredErrors(positions_) + prior_.energy(change_);
-  if (meanError() < kMet) finish(Outcome::converged);
-  if (iterations_ >= settings_.maxIterations) finish(Outcome::iterationLimit);
+  if (iterations_ == 0) {
+    if (leg_ == path_.legs() && meanError() < kMet) finish(Outcome::converged);
+    if (settings_.maxIterations == 0) finish(Outcome::iterationLimit);
+  }
   if (phase_ == Phase::done) {
     show();
     report = {outcome_, objective_, 0};
@@ -255,7 +297,17 @@ void PlasticRun::judgeTrial(StepReport& report) {
     beginTrial();
     return;
   }
-  finish(Outcome::stalled);
+  endLeg(Outcome::stalled, report);
+}
+
+/// Turns to the next leg where a step of this one gets no nearer; after the last the run ends.
+void PlasticRun::endLeg(Outcome outcome, StepReport& report) {
+  if (leg_ < path_.legs()) {
+    goOn();
+    phase_ = Phase::start;
+    return;
+  }
+  finish(outcome);
   report = {outcome_, objective_, 0};
 }
 
@@ -265,11 +317,15 @@ void PlasticRun::accept(StepReport& report) {
   field_ = trialField_;
   positions_ = equilibrium_.positions();
   ++iterations_;
+  ++iterationsOfLeg_;
   show();
   report = {Outcome::running, objective_, all > 0 ? move / all : 0};
-  if (meanError() < kMet) {
+  if (leg_ < path_.legs() && (meanError() < kLegMet || iterationsOfLeg_ >= kLegIterations)) {
+    goOn();
+  } else if (leg_ == path_.legs() && meanError() < kMet) {
     finish(Outcome::converged);
-  } else if (iterations_ >= settings_.maxIterations) {
+  }
+  if (phase_ != Phase::done && iterations_ >= settings_.maxIterations) {
     finish(Outcome::iterationLimit);
   }
   if (phase_ == Phase::done) {

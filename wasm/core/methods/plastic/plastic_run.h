@@ -5,6 +5,7 @@
 #include "methods/method.h"
 #include "methods/plastic/equilibrium.h"
 #include "methods/plastic/landmark_step.h"
+#include "methods/plastic/turn_path.h"
 
 namespace whittle {
 
@@ -18,6 +19,7 @@ struct PlasticSettings {
   double poisson = 0.3;
   bool resetsRest = true;  // whether each step starts from the shape of the one before, and not from the input's
   bool aligns = true;      // whether parts are first moved as they are, as far as held vertices let them
+  double turn = 0;         // of the moved landmarks in all, radians; 0: the least
   int maxIterations = 20;
 };
 
@@ -47,20 +49,26 @@ class PlasticRun {
 
   /// Where the vertices of the mesh are, #V×3.
   const Points& positions() const { return shown_; }
-  /// The mean distance of landmarks from their targets, in a shape that is 100 long, and the largest.
+  /// The mean distance of landmarks from their targets of the leg, in a shape that is 100 long, and the largest from those
+  /// at its end.
   double meanError() const;
   double largestError() const;
+  /// How many times as far apart as at rest two landmarks are to be, at most, held vertices among them.
+  double demandedStretch() const;
 
  private:
   enum class Phase { start, factor, direction, trial, done };
 
   void takeActiveParts(const TriangleMesh& mesh, const LandmarkSet& landmarks);
   void align();
+  void findPath();
+  void goOn();
   void beginIteration(StepReport& report);
   void beginTrial();
   void judgeTrial(StepReport& report);
   void accept(StepReport& report);
   void show();
+  void endLeg(Outcome outcome, StepReport& report);
   void finish(Outcome outcome);
   double squaredErrors(const Points& positions) const;
   double longestShare(const Scalars& change) const;
@@ -72,7 +80,10 @@ class PlasticRun {
   Vec3 center_ = Vec3::Zero();
   TriangleMesh active_;  // at rest
   std::vector<Index> nodeOf_;
-  std::vector<Landmark> landmarks_;
+  std::vector<Landmark> landmarks_;  // with the targets of the leg
+  std::vector<Vec3> targets_;
+  TurnPath path_;
+  int leg_ = 1, iterationsOfLeg_ = 0;
   Components parts_;
 
   Shell shell_;

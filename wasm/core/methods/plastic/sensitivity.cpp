@@ -6,12 +6,6 @@ namespace {
 
 Vec3 dual(const Mat2& a) { return {a(0, 0), a(0, 1) + a(1, 0), a(1, 1)}; }
 
-Mat2 ofDual(const Vec3& a) {
-  Mat2 result;
-  result << a[0], a[1] / 2, a[1] / 2, a[2];
-  return result;
-}
-
 Mat2 symmetricPart(const Mat2& a) { return (a + a.transpose()) / 2; }
 
 /// (g gᵀ)₁₁, (g gᵀ)₁₂, (g gᵀ)₂₂.
@@ -74,22 +68,39 @@ void Sensitivity::setTurnFactors(const Shell& shell, Index face, FaceFactors& fa
   }
 }
 
-void Sensitivity::apply(const Scalars& change, Points& forces) const {
-  forces.setZero();
-  const Index faces = shell_->faceCount();
+void Sensitivity::apply(const Rows& changes, Rows& forces) const {
+  const Index faces = shell_->faceCount(), columns = static_cast<Index>(changes.cols());
+  forces.setZero(3 * shell_->vertexCount(), columns);
+  const FormsInput shape = shell_->input();
+  Rows stretch(3, columns), membrane(3, columns), moment(3, columns);
   for (Index f = 0; f < faces; ++f) {
     const FaceFactors& factors = factors_[f];
-    const Vec3 stretch = stretchNumbers(change, faces, f);
-    const Vec3 membrane = factors.membrane * stretch;
-    Vec3 moment = factors.moment * stretch;
-    const Vec3 own = factors.jacobian * change.segment<3>(3 * f);
+    stretch.row(0) = changes.row(3 * faces + f);
+    stretch.bottomRows(2) = changes.middleRows(4 * faces + 2 * f, 2);
+    membrane.noalias() = factors.membrane.lazyProduct(stretch);
+    moment.noalias() = factors.moment.lazyProduct(stretch);
     for (int k = 0; k < 3; ++k) {
       const Index other = shell_->hinges()[f][k].face;
       if (other < 0) continue;
-      const Vec3 apart = own - factors_[other].jacobian * change.segment<3>(3 * other);
-      moment -= 2 * factors.turned[k].transpose() * apart;
+      const Mat3 own = -2 * factors.turned[k].transpose() * factors.jacobian;
+      const Mat3 others = 2 * factors.turned[k].transpose() * factors_[other].jacobian;
+      moment.noalias() += own.lazyProduct(changes.middleRows(3 * f, 3));
+      moment.noalias() += others.lazyProduct(changes.middleRows(3 * other, 3));
     }
-    shell_->addForces(f, ofDual(membrane), ofDual(moment), forces);
+    const auto at = [&](Index vertex) { return forces.middleRows(3 * vertex, 3); };
+    for (int k = 0; k < 3; ++k) {
+      const Vec2& g = shell_->frames()[f].gradients[k];
+      const Mat3 byCorner = firstFormGradient(shell_->forms(f), g).transpose();
+      at(shell_->triangles()(f, k)).noalias() += byCorner.lazyProduct(membrane);
+      const FaceHinge& hinge = shell_->hinges()[f][k];
+      if (hinge.face < 0) continue;
+      const RiseGradient rise = riseGradient(shape, shell_->forms(f), f, k);
+      const Eigen::RowVector3d square = -squareOf(g).transpose();
+      for (int a = 0; a < 3; ++a)
+        at(shell_->triangles()(f, a)).noalias() += (rise.corners[a] * square).lazyProduct(moment);
+      const Index across = shell_->triangles()(hinge.face, hinge.opposite);
+      at(across).noalias() += (rise.across * square).lazyProduct(moment);
+    }
   }
 }
 

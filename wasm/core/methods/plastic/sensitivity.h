@@ -14,8 +14,10 @@ class Sensitivity {
   /// Finds the factors. The shell is kept by the caller, in this shape, as long as this is used.
   void take(const Shell& shell);
 
-  /// f_p q: how forces (#V×3) change with a change of what is plastic (6 #F).
-  void apply(const Scalars& change, Points& forces) const;
+  /// f_p Q: how forces (3 #V×k) change with changes of what is plastic.
+  /// @param changes 6 #F×k
+  /// @param forces out
+  void apply(const Rows& changes, Rows& forces) const;
 
   /// f_pᵀ Y.
   /// @param Y 3 #V×k, displacements of the vertices

@@ -8,7 +8,7 @@ namespace {
 
 /// What remains of hinges that nothing bends, as where parts meet in a single vertex, as a share of the usual stiffness.
 constexpr double kLeastStiffness = 1e-9;
-constexpr ConjugateGradients::Limits kSolve{1e-8, 10};
+constexpr ConjugateGradients::Limits kSolve{1e-6, 10};
 
 double medianDiagonal(const SparseMatrix& matrix) {
   std::vector<double> diagonal(matrix.cols());
@@ -23,7 +23,12 @@ double medianDiagonal(const SparseMatrix& matrix) {
 
 void ShellSystem::shape(const Shell& shell, std::vector<Index> nodeOf) {
   stiffness_ = Stiffness(shell, std::move(nodeOf));
-  cholesky_.beginAnalyze(stiffness_.matrix(), {.blockSize = 3});
+  coordinates_.resize(stiffness_.nodes(), 3);
+  for (std::size_t v = 0; v < this->nodeOf().size(); ++v) {
+    if (this->nodeOf()[v] >= 0)
+      coordinates_.row(this->nodeOf()[v]) = shell.input().positions.row(static_cast<Index>(v));
+  }
+  cholesky_.beginAnalyze(stiffness_.matrix(), {.coordinates = &coordinates_, .blockSize = 3});
 }
 
 void ShellSystem::beginFactorize(const Shell& shell, const RigidModes& modes) {

@@ -34,6 +34,7 @@ class ShellSystem {
 
  private:
   Stiffness stiffness_;
+  Points coordinates_;  // of the nodes
   const RigidModes* modes_ = nullptr;
   SparseCholesky cholesky_;
   Rows solution_;
