@@ -57,6 +57,21 @@ test('handles come from a JSON file and are met', async () => {
   expect(Math.hypot(positions[9]!, positions[10]!, positions[11]! - 2)).toBeLessThan(1e-8);
 });
 
+test('landmarks stretch, those that are fixed stay, and the report says what was far', async () => {
+  const source = objPositions(ball);
+  await desk.write('landmarks.json', { vertices: [0], targets: [[0, 0, 30]], fixed: [3] });
+  const said = await desk.run(
+    'plastic @in.obj --landmarks @landmarks.json --max-iterations 2 --out @out.obj --report @report.json',
+  );
+  expect(said.code).toBe(0);
+  const positions = objPositions(await desk.read('out.obj'));
+  expect(positions.slice(9, 12)).toEqual(source.slice(9, 12));
+  const [step] = JSON.parse(await desk.read('report.json')).steps;
+  expect(step).toMatchObject({ method: 'plastic', iterations: 2, outcome: 'iteration-limit' });
+  expect(step.warnings.join(' ')).toMatch(/times as far apart/);
+  expect(step.warnings.join(' ')).toMatch(/missed by/);
+});
+
 test('a recipe is the same as its steps one after the other', async () => {
   const handles = { vertices: [0, 3], targets: [[0, 0, 1], [0, 0, -2]] }; // biome-ignore format: pairs
   await desk.write('recipe.json', {

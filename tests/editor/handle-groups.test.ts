@@ -6,6 +6,7 @@ import {
   movedHandles,
   noHandles,
   outlook,
+  spelledOut,
   targetCenter,
   withHandles,
   withoutHandles,
@@ -41,6 +42,20 @@ describe('handles by groups', () => {
       [0, 1, 2],
     ]);
     expect(targetCenter(pulled, [1, 2])).toEqual([0.5, 0.5, 2]);
+  });
+
+  it('have those that are listed as fixed among the others, at rest', () => {
+    const listed = { vertices: [1], targets: [[1, 0, 2]], fixed: [0, 4] } as const;
+    expect(spelledOut(listed, rest)).toEqual({
+      vertices: [1, 0, 4],
+      targets: [
+        [1, 0, 2],
+        [0, 0, 0],
+        [0, 3, 0],
+      ],
+    });
+    const without = withHandles(noHandles, [1], rest);
+    expect(spelledOut(without, rest)).toBe(without);
   });
 
   it('keep what a group of theirs has lost', () => {
