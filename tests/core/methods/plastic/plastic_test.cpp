@@ -168,6 +168,47 @@ TEST_CASE("landmarks that contradict each other end in a finite shape, and how f
   }
 }
 
+TEST_CASE("slivers of any height neither spoil a shape nor hold a run up") {
+  const Gesture whole = ear();
+  const Points expected = solve(whole).positions;
+  for (const double height : {0.02, 2e-3, 5e-4, 1e-6}) {
+    INFO(height);
+    // A cap on a side of every twelfth face.
+    Gesture gesture = whole;
+    TriangleMesh& mesh = gesture.mesh;
+    const Index faces = mesh.faceCount(), count = mesh.vertexCount();
+    for (Index f = 0; f < faces; f += 12) {
+      const Index v = mesh.vertexCount(), n = mesh.faceCount();
+      const Index a = mesh.triangles(f, 0), b = mesh.triangles(f, 1), c = mesh.triangles(f, 2);
+      const Vec3 tip = (1 - height) / 2 * (gesture.at(a) + gesture.at(b)) + height * gesture.at(c);
+      mesh.positions.conservativeResize(v + 1, 3);
+      mesh.positions.row(v) = tip.transpose();
+      mesh.triangles.conservativeResize(n + 2, 3);
+      mesh.triangles.row(f) << a, b, v;
+      mesh.triangles.row(n) << b, c, v;
+      mesh.triangles.row(n + 1) << c, a, v;
+    }
+    const Solved solved = solve(gesture);
+    CHECK(solved.outcome == Outcome::converged);
+    CHECK(solved.energies.size() <= 12);
+    CHECK(meanError(gesture, solved.positions) < 0.02);
+    CHECK((solved.positions.topRows(count) - expected).rowwise().norm().maxCoeff() < 0.03 * diagonal(whole.mesh));
+  }
+}
+
+TEST_CASE("a run that comes to its limit says that more iterations may help") {
+  const Gesture gesture = ear();
+  Session session;
+  REQUIRE(session.load(gesture.mesh).ok());
+  REQUIRE(session.select("plastic").ok());
+  REQUIRE(session.set("landmarks", encoded(gesture.landmarks)).ok());
+  REQUIRE(session.set("maxIterations", encoded(1)).ok());
+  REQUIRE(session.prepare().ok());
+  CHECK(finish(session).outcome == Outcome::iterationLimit);
+  REQUIRE(!session.warnings().empty());
+  CHECK(session.warnings().back().find("more may bring it nearer") != std::string::npos);
+}
+
 TEST_CASE("faces without area, doubled faces and vertices without faces do no harm") {
   const Gesture whole = ear();
   Gesture gesture = whole;

@@ -169,11 +169,9 @@ std::vector<std::string> Plastic::warnings(const PlasticParameters& values) cons
     remarks.push_back(text);
   }
   if (const double error = run_.largestError(); error > kMissed) {
-    std::snprintf(
-        text, sizeof text,
-        "A landmark is missed by %.1f %% of the shape's length: what the landmarks ask for does not go together "
-        "with the shape.",
-        error);
+    std::snprintf(text, sizeof text, "A landmark is missed by %.1f %% of the shape's length: %s.", error,
+                  run_.isAtLimit() ? "the run came to its limit of iterations, and more may bring it nearer"
+                                   : "what the landmarks ask for does not go together with the shape");
     remarks.push_back(text);
   }
   return remarks;

@@ -16,8 +16,9 @@ constexpr double kMostWeight = 20;
 constexpr double kParallelCost = 1e-7;
 /// Columns that are solved in a slice.
 constexpr Index kBatch = ConjugateGradients::kBatch;
-/// Double precision where it counts: what is left of a residual, and iterations for it.
-constexpr ConjugateGradients::Limits kSolve{1e-6, 8};
+/// What is left of a residual, and iterations for it. For a search direction a step or two are enough, but not none: what the
+/// factor's single precision leaves on large meshes is too much for conjugate gradients around it.
+constexpr ConjugateGradients::Limits kSolve{1e-6, 8}, kRoughSolve{1e-4, 3};
 
 double clamped(double weight) { return std::clamp(weight, 1 / kMostWeight, kMostWeight); }
 
@@ -217,14 +218,9 @@ Status PlasticPrior::solveNext(bool& isDone) {
     for (Index column = 0; column < width; ++column) rhs_(row, column) = at(row, column);
   }
   SparseCholesky& factor = isScalar ? scalarFactor_ : deviatorFactor_;
-  Status status;
-  if (isRough_) {
-    factor.solve(rhs_);
-    solution_ = rhs_;
-  } else {
-    solution_.setZero(rows, width);
-    status = factor.solveRefined(isScalar ? scalar_ : deviator_, rhs_, solution_, kSolve);
-  }
+  solution_.setZero(rows, width);
+  const Status status =
+      factor.solveRefined(isScalar ? scalar_ : deviator_, rhs_, solution_, isRough_ ? kRoughSolve : kSolve);
   for (Index row = 0; row < rows; ++row) {
     for (Index column = 0; column < width; ++column) at(row, column) = solution_(row, column);
   }

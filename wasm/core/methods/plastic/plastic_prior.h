@@ -28,7 +28,7 @@ class PlasticPrior {
 
   /// Begins to overwrite columns (6 #F×k) with A⁻¹ times them; where β is 0, with what is orthogonal to free growth. Kept
   /// by the caller until the end.
-  /// @param isRough in single precision, which is enough for a search direction
+  /// @param isRough as well as a search direction needs it
   void beginSolve(Rows& columns, bool isRough = false);
   /// Does a slice; `isDone` says whether it was the last.
   Status solveNext(bool& isDone);

@@ -53,6 +53,8 @@ class PlasticRun {
   /// at its end.
   double meanError() const;
   double largestError() const;
+  /// Whether the run ended because it had made all iterations that it may.
+  bool isAtLimit() const { return outcome_ == Outcome::iterationLimit; }
   /// How many times as far apart as at rest two landmarks are to be, at most, held vertices among them.
   double demandedStretch() const;
 
