@@ -14,8 +14,11 @@ namespace {
 constexpr double kMostWeight = 20;
 /// Without β, a field of stretches along directions that are parallel all over, as flat sheets have, costs this share of α.
 constexpr double kParallelCost = 1e-7;
-/// Columns that are solved in a slice.
-constexpr Index kBatch = ConjugateGradients::kBatch;
+/// Columns that are solved in a slice: fewer where each is long.
+Index batchWidth(Index rows) {
+  constexpr Index kNumbers = 240000, kGroup = 3;
+  return std::clamp<Index>(kNumbers / rows / kGroup * kGroup, kGroup, ConjugateGradients::kBatch);
+}
 /// What is left of a residual, and iterations for it. For a search direction a step or two are enough, but not none: what the
 /// factor's single precision leaves on large meshes is too much for conjugate gradients around it.
 constexpr ConjugateGradients::Limits kSolve{1e-6, 8}, kRoughSolve{1e-4, 3};
@@ -206,7 +209,7 @@ Status PlasticPrior::solveNext(bool& isDone) {
   const Index k = static_cast<Index>(columns_->cols()), scalarColumns = 4 * k;
   const bool isScalar = next_ < scalarColumns;
   const Index rows = isScalar ? faces_ : 2 * faces_;
-  const Index width = std::min<Index>(kBatch, (isScalar ? scalarColumns : 5 * k) - next_);
+  const Index width = std::min<Index>(batchWidth(rows), (isScalar ? scalarColumns : 5 * k) - next_);
   rhs_.resize(rows, width);
   // A face's numbers of θ follow each other, and so do its columns.
   const auto at = [&](Index row, Index column) -> double& {

@@ -202,6 +202,11 @@ Status PlasticRun::step(StepReport& report) {
   Status status;
   switch (phase_) {
     case Phase::start: beginIteration(report); break;
+    case Phase::assemble:
+      modes_.find(positions_, parts_, nodeOf_);
+      system_.beginFactorize(shell_, modes_);
+      phase_ = Phase::factor;
+      break;
     case Phase::factor: {
       double share = 0;
       status = system_.factorizeNext(share);
@@ -253,9 +258,7 @@ void PlasticRun::beginIteration(StepReport& report) {
     report = {outcome_, objective_, 0};
     return;
   }
-  modes_.find(positions_, parts_, nodeOf_);
-  system_.beginFactorize(shell_, modes_);
-  phase_ = Phase::factor;
+  phase_ = Phase::assemble;
 }
 
 /// The share of a change that neither turns nor stretches a face too far at once.

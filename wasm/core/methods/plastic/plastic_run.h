@@ -59,7 +59,7 @@ class PlasticRun {
   double demandedStretch() const;
 
  private:
-  enum class Phase { start, factor, direction, trial, done };
+  enum class Phase { start, assemble, factor, direction, trial, done };
 
   void takeActiveParts(const TriangleMesh& mesh, const LandmarkSet& landmarks);
   void align();
