@@ -30,6 +30,8 @@ export const commands: readonly Command[] = [
   ['reshape ball.obj --handles handles.json', 'obj'],
   ['reshape family.obj --handles pins.json --variant alup --remesh always', 'ply'],
   ['reshape ball.obj --handles handles.json --reading published --finalize=false', 'stl'],
+  ['plastic ball.obj --landmarks handles.json', 'obj'],
+  ['plastic family.obj --landmarks pins.json --radius 0.1 --reset-rest=false', 'ply'],
   ['arap ball.obj --handles handles.json', 'obj'],
   ['arap ball.obj --handles handles.json --regularizer farap --acceleration none', 'stl'],
   ['arap family.obj --handles pins.json --regularizer acap', 'ply'],
