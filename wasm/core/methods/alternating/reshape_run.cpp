@@ -259,6 +259,8 @@ void ReshapeRun::afterAnswer(StepReport& report) {
   --answersLeft_;
   if (report.outcome != Outcome::running) answersLeft_ = 0;
   report.outcome = Outcome::running;
+  // The first three answers wait for one of its iterations only: so many are to come in each picture.
+  if (answersLeft_ == kAnswers - 2) return;
   if (!behind_.isGoing()) {
     if (behind_.isEndOf(targets_)) return;
     behind_.begin(first_->surface, first_->terms.weights, first_->vertices, first_->transformations, limits(),
