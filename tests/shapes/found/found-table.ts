@@ -120,6 +120,7 @@ function gestureTable(trials: readonly FoundTrial[], withMethod = false): string
 function said(warnings: readonly string[]): string {
   const words: readonly [RegExp, string][] = [
     [/change(s their|s its| their) size/, 'sizes change'],
+    [/as thick/, 'walls change'],
     [/Of the faces/, 'faces turn over'],
     [/own thin faces/, 'thin faces turn over'],
     [/handle is missed/, 'a handle is missed'],
