@@ -65,7 +65,7 @@ Index vertexAt(const TriangleMesh& mesh, const Vec3& share) {
   return nearest;
 }
 
-/// Of the vertices of two groups, those of the second go some way.
+/// Handles hold one group of vertices and move another some way.
 Handles pulled(const TriangleMesh& mesh, std::vector<Index> held, const std::vector<Index>& moved, const Vec3& way) {
   Handles handles;
   const Index first = static_cast<Index>(held.size());

@@ -31,7 +31,7 @@ TriangleMesh mixedSheet() {
   return mesh;
 }
 
-/// The same turn and stretch in space on all faces.
+/// Gives all faces the same turn and stretch in space.
 Scalars sameAllOver(const Shell& shell, const Vec3& turn, const Mat3& stretch) {
   const Index faces = shell.faceCount();
   Scalars field(6 * faces);

@@ -9,7 +9,6 @@ namespace whittle {
 namespace {
 
 constexpr double kSeen = 0.1;
-constexpr double kMovedApart = 1e-3;
 /// What lies farther out, of the changed area, is an outlier.
 constexpr double kOutliers = 0.05;
 

@@ -13,9 +13,9 @@ struct GestureEnd {
   Points positions;  // #V×3
 };
 
-/// The run from rest that goes on behind a drag, an iteration after each of those that are shown, for targets that are a
-/// moment old. Where it ended is what later answers start from: such as start from one another slide away along flat
-/// sides, where the energy hardly tells one place from the other.
+/// The run from rest that goes on behind a drag, an iteration now and then, for targets that are a moment old. Where it
+/// ended is what later answers start from: such as start from one another slide away along flat sides, where the energy
+/// hardly tells one place from the other.
 class RunBehind {
  public:
   /// Begins with the systems as they are aimed now, which the caller keeps.

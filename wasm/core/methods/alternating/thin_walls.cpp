@@ -17,7 +17,6 @@ const double kFacing = -std::cos(3 * EIGEN_PI / 180);
 constexpr double kThin = 0.5;
 /// The thickest wall, of the mesh's longest side.
 constexpr double kThickest = 0.25;
-constexpr double kMovedApart = 1e-3;
 /// Of a tie, against the 1 / l̄² that an edge of mean length has.
 constexpr double kStiffness = 300;
 constexpr Index kSliceOfFaces = 1500;

@@ -70,8 +70,10 @@ class ThinWallSearch {
   Index next_ = 0;
 };
 
-/// Which walls are to stay as thick as they are, one flag each: not those whose sides handles move apart or together, by
-/// more than 10⁻³.
+/// Sides of which handles ask so different moves, across a wall in the unit frame, are moved apart or together.
+constexpr double kMovedApart = 1e-3;
+
+/// Which walls are to stay as thick as they are, one flag each: not those whose sides handles move apart or together.
 std::vector<bool> keptWalls(const ThinWalls& walls, const RestSurface& surface, const std::vector<PointRow>& handles);
 
 /// Rows that keep these walls' thickness.

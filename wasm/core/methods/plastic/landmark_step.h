@@ -33,9 +33,9 @@ class LandmarkStep {
 
   /// The change of the field, 6 #F.
   const Scalars& change() const { return change_; }
-  /// That of the positions, #V×3, without
+  /// Positions change by this, #V×3, without the rigid modes,
   const Points& move() const { return move_; }
-  /// the amounts of the rigid modes.
+  /// whose amounts stand here.
   const Scalars& rigid() const { return rigid_; }
   /// What the linear model says that is left: squared distances, and the price of the field.
   double model() const { return model_; }

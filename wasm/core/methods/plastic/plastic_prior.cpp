@@ -34,7 +34,7 @@ Vec2 sideInFrame(const FormsInput& mesh, const FaceFrame& frame, Index face, int
 Mat2 unfolding(const Shell& shell, Index face, int k) {
   const FaceHinge& hinge = shell.hinges()[face][k];
   const Vec2 own = sideInFrame(shell.input(), shell.frames()[face], face, k);
-  // The same edge from the same end: from the corner that is in k + 1 to that in k + 2.
+  // The neighbour sees the edge from the same end, from the corner that is in k + 1 to that in k + 2.
   const Vec2 other = shell.frames()[hinge.face].axes.transpose() * (shell.input().corner(hinge.face, hinge.onSide[1]) -
                                                                     shell.input().corner(hinge.face, hinge.onSide[0]));
   const double ownAngle = std::atan2(own.y(), own.x()), otherAngle = std::atan2(other.y(), other.x());
@@ -180,7 +180,7 @@ double PlasticPrior::energy(const Scalars& field) const {
   return energy;
 }
 
-/// Of loads what is in balance over each part, of changes what is no growth of all of it.
+/// Leaves of loads what is in balance over each part, and of changes what is no growth of all of it.
 void PlasticPrior::takeOffGrowth(bool areLoads) {
   Rows& columns = *columns_;
   for (Index part = 0; part < growth_.cols(); ++part) {
