@@ -46,15 +46,25 @@ export async function reshaped(
   }
 }
 
-/** Runs to their ends, each from where the one before ended, as a drag that rests at each place. @returns positions, #V×3 */
-export async function dragged(mesh: TestMesh, places: readonly Handles[]): Promise<Float64Array[]> {
+/**
+ * Runs that each start from where the one before came to, as in a drag.
+ *
+ * @param slices after which a run is overtaken; without, it goes on to its end
+ * @returns positions at each place, #V×3
+ */
+export async function dragged(
+  mesh: TestMesh,
+  places: readonly Handles[],
+  slices = Number.POSITIVE_INFINITY,
+): Promise<Float64Array[]> {
   const session = (await testCore()).open();
   try {
     session.load(mesh.positions, mesh.triangles);
     return places.map((handles) => {
       configure(session, mesh, 'reshape', { handles });
       prepare(session);
-      for (let isGoing = true; isGoing; ) isGoing = ['running', 'midway'].includes(session.step().outcome);
+      for (let slice = 0, isGoing = true; isGoing && slice < slices; slice++)
+        isGoing = ['running', 'midway'].includes(session.step().outcome);
       const positions = new Float64Array(mesh.positions.length);
       session.copyPositions(positions);
       return positions;
